@@ -1,0 +1,90 @@
+"""The Phong model: four terms and their sum.
+
+    max(n·l, 0) s_d ⊗ m_d + max(r·v, 0)^sh s_s ⊗ m_s + s_a ⊗ m_a + m_e
+
+Twin: shaders/lib/phong.glsl. n, l, v, r are unit vectors of shape (..., 3) that point
+away from the surface; s are colours of the light, m of the material, linear RGB (..., 3).
+Source: Phong, Illumination for Computer Generated Pictures, CACM 18(6), 1975, with the
+ambient and emissive terms as in the lecture.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from playground.shading.power import lobe
+from playground.shading.vector import Array, dot, halfway, reflection
+
+
+def component_filter(light: ArrayLike, material: ArrayLike) -> Array:
+    """s ⊗ m: each colour channel of the light, weakened by that of the material."""
+    return np.multiply(light, material, dtype=np.float64)
+
+
+def diffuse_factor(normal: ArrayLike, to_light: ArrayLike) -> Array:
+    """max(n·l, 0): Lambert's law, shape (...)."""
+    return np.maximum(dot(normal, to_light), 0.0)
+
+
+def specular_factor(
+    normal: ArrayLike, to_light: ArrayLike, to_eye: ArrayLike, shininess: ArrayLike
+) -> Array:
+    """max(r·v, 0)^sh: the highlight around the reflection vector, shape (...)."""
+    return lobe(reflection(normal, to_light), to_eye, shininess)
+
+
+def blinn_factor(
+    normal: ArrayLike, to_light: ArrayLike, to_eye: ArrayLike, shininess: ArrayLike
+) -> Array:
+    """max(n·h, 0)^sh: Blinn's alternative with the halfway vector, shape (...).
+
+    Source: Blinn, Models of Light Reflection for Computer Synthesized Pictures, 1977.
+    """
+    return lobe(normal, halfway(to_light, to_eye), shininess)
+
+
+def gate(normal: ArrayLike, to_light: ArrayLike) -> Array:
+    """1 where the light is above the surface, n·l > 0, and 0 elsewhere, shape (...).
+
+    Multiplied with the specular factor it removes highlights on the far side of the
+    light, which the lecture's formula to the letter allows.
+    """
+    return np.where(dot(normal, to_light) > 0.0, 1.0, 0.0)
+
+
+def diffuse_term(factor: ArrayLike, light: ArrayLike, material: ArrayLike) -> Array:
+    """factor · s_d ⊗ m_d, with the factor of Lambert's law; shape (..., 3)."""
+    return np.asarray(factor)[..., None] * component_filter(light, material)
+
+
+def specular_term(factor: ArrayLike, light: ArrayLike, material: ArrayLike) -> Array:
+    """factor · s_s ⊗ m_s, with the factor of the highlight; shape (..., 3)."""
+    return np.asarray(factor)[..., None] * component_filter(light, material)
+
+
+def ambient_term(light: ArrayLike, material: ArrayLike) -> Array:
+    """s_a ⊗ m_a: light from everywhere, scattered everywhere; shape (..., 3)."""
+    return component_filter(light, material)
+
+
+def emissive_term(material: ArrayLike) -> Array:
+    """m_e: what the surface sends out by itself; shape (..., 3)."""
+    return np.asarray(material, dtype=np.float64)
+
+
+def weighted_sum(
+    diffuse: ArrayLike,
+    specular: ArrayLike,
+    ambient: ArrayLike,
+    emissive: ArrayLike,
+    weights: ArrayLike = (1.0, 1.0, 1.0, 1.0),
+) -> Array:
+    """The sum of the four terms, each times its weight (a switch, or a fader); (..., 3)."""
+    w = np.asarray(weights, dtype=np.float64)
+    return np.asarray(
+        w[..., 0, None] * diffuse
+        + w[..., 1, None] * specular
+        + w[..., 2, None] * ambient
+        + w[..., 3, None] * emissive
+    )

@@ -1,0 +1,85 @@
+"""Directions: unit vectors, the reflection vector, the halfway vector, normals under a transform.
+
+Twin: shaders/lib/vector.glsl. All directions point away from the surface.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+
+def dot(a: ArrayLike, b: ArrayLike) -> Array:
+    """The scalar product along the last axis: shape (..., 3) · (..., 3) -> (...)."""
+    product = np.multiply(a, b, dtype=np.float64)
+    return np.asarray(product[..., 0] + product[..., 1] + product[..., 2])
+
+
+def length(v: ArrayLike) -> Array:
+    """The length of vectors of any size, shape (..., 3) -> (...).
+
+    Dividing by the largest component first keeps the squares from overflowing and
+    vanishing. Source: Blue, A Portable Fortran Program to Find the Euclidean Norm, 1978.
+    """
+    v = np.asarray(v, dtype=np.float64)
+    largest = np.max(np.abs(v), axis=-1)
+    safe = np.where(largest > 0.0, largest, 1.0)
+    scaled = v / safe[..., None]
+    return np.asarray(largest * np.sqrt(dot(scaled, scaled)))
+
+
+def unit(v: ArrayLike) -> Array:
+    """v / |v| for vectors of any length, shape (..., 3); the zero vector stays zero.
+
+    Source: Blue 1978, as in `length`.
+    """
+    v = np.asarray(v, dtype=np.float64)
+    largest = np.max(np.abs(v), axis=-1, keepdims=True)
+    scaled = v / np.where(largest > 0.0, largest, 1.0)
+    norm = np.sqrt(dot(scaled, scaled))[..., None]
+    return np.asarray(scaled / np.where(norm > 0.0, norm, 1.0))
+
+
+def reflection(normal: ArrayLike, to_light: ArrayLike) -> Array:
+    """The reflection vector r = 2 n (n·l) − l, of unit vectors of shape (..., 3).
+
+    Source: Phong, Illumination for Computer Generated Pictures, CACM 18(6), 1975.
+    """
+    normal, to_light = np.asarray(normal, np.float64), np.asarray(to_light, np.float64)
+    return np.asarray(2.0 * dot(normal, to_light)[..., None] * normal - to_light)
+
+
+def halfway(to_light: ArrayLike, to_eye: ArrayLike) -> Array:
+    """The halfway vector h = (l + v) / |l + v|, of unit vectors of shape (..., 3).
+
+    Source: Blinn, Models of Light Reflection for Computer Synthesized Pictures, 1977.
+    """
+    return unit(np.add(to_light, to_eye))
+
+
+def normal_matrix(linear: ArrayLike) -> Array:
+    """The matrix that carries normals along when ``linear`` carries points, shape (3, 3).
+
+    The cofactor matrix turns a plane's normal with the plane, whatever the stretch,
+    and needs no inverse; times the sign of the determinant, it leaves the normal of a
+    mirrored object pointing outwards. Columns are scaled to 1 first, so that scales
+    from 1e-150 to 1e150 neither overflow nor vanish; the largest entry of the result
+    is about 1. Points to keep in mind: the result is not a rotation, so normals must
+    be made unit length again. Has no twin: it is needed once per object, not per point.
+
+    Source: Akenine-Möller et al., Real-Time Rendering 4, section 4.1.7; Lengyel,
+    Transforming Normals, 2024.
+    """
+    columns = np.asarray(linear, dtype=np.float64).T
+    largest = np.max(np.abs(columns), axis=1, keepdims=True)
+    safe = np.where(largest > 0.0, largest, 1.0)
+    c0, c1, c2 = columns / safe
+    cofactors = np.stack([np.cross(c1, c2), np.cross(c2, c0), np.cross(c0, c1)])
+
+    # Undo the scaling up to one common factor: column k of the cofactors lost s_i s_j.
+    cofactors *= np.min(safe) / safe
+    sign = -1.0 if dot(c0, np.cross(c1, c2)) < 0.0 else 1.0
+    top = np.max(np.abs(cofactors))
+    return np.asarray(sign * cofactors.T / (top if top > 0.0 else 1.0))
