@@ -1,0 +1,5 @@
+"""Why a pixel has its colour. Calling the package explains: ``playground.explain(setup, pixel)``."""
+
+from playground.callable_package import make_callable
+
+make_callable(__name__, "playground.explain.pixel", "explain")

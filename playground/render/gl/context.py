@@ -1,0 +1,75 @@
+"""The only module that creates GL contexts: headless by EGL, or the one of a window.
+
+Everything GL is optional. Where there is no driver, `headless` raises a
+`PlaygroundError` that says what to install, and ``renderer="auto"`` takes NumPy.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from playground.errors import PlaygroundError
+
+if TYPE_CHECKING:
+    import moderngl
+
+GL_VERSION = 330
+DRIVER_PACKAGES = "libgl1 libegl1 libgl1-mesa-dri"
+WINDOW_PACKAGES = "libx11-6 libxext6"
+INSTALL_DRIVER = f"sudo apt-get install -y {DRIVER_PACKAGES}"
+
+
+class NoDriver(PlaygroundError):
+    """There is no working GL driver on this machine."""
+
+
+@lru_cache(maxsize=1)
+def headless() -> moderngl.Context:
+    """The process's own GL context without a window, made at the first call.
+
+    Raises
+    ------
+    NoDriver
+        With the reason of each backend that was tried.
+    """
+    import moderngl
+
+    reasons = []
+    backends = ("egl", None) if sys.platform.startswith("linux") else (None,)
+    for backend in backends:
+        if backend is None and sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
+            continue
+        try:
+            more = {"backend": backend} if backend else {}
+            context = moderngl.create_context(standalone=True, require=GL_VERSION, **more)
+        except Exception as error:  # the loaders raise what they like
+            reasons.append(f"{backend or 'default'}: {str(error).strip() or type(error).__name__}")
+            continue
+        # A surfaceless context has no framebuffer, and transform feedback without one
+        # returns zeros in silence: keep a small one bound.
+        context.simple_framebuffer((4, 4)).use()
+        return context
+    raise NoDriver(
+        "no GL driver was found",
+        got="; ".join(reasons),
+        fix=f"On Debian or Ubuntu: {INSTALL_DRIVER}. Or use --renderer numpy, which needs none.",
+    )
+
+
+def of_window() -> moderngl.Context:
+    """The context that a window has made current."""
+    import moderngl
+
+    return moderngl.get_context()
+
+
+def available() -> bool:
+    """Whether a GL driver works here; the first call finds out."""
+    try:
+        headless()
+    except NoDriver:
+        return False
+    return True

@@ -1,0 +1,146 @@
+"""The rasteriser on the GPU: needs → program → uniforms → draw → read."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from playground.render.gl import context as gl_context
+from playground.render.gl.mesh_buffers import MeshBuffers
+from playground.render.gl.program import Program, sources_for
+from playground.render.gl.target import Target
+from playground.render.gl.uniforms import write_place, write_surface
+from playground.render.image import Image
+from playground.render.needs import Needs, needs
+from playground.render.renderer import check_out
+from playground.render.surface import Surface, surfaces
+from playground.render.view import View, view_of
+from playground.scene.settings import Settings
+from playground.scene.setup import Setup
+from playground.shading.display import display_colour
+
+if TYPE_CHECKING:
+    import moderngl
+
+
+class GLRenderer:
+    """Draws setups of one size; keeps programs, meshes and targets between them."""
+
+    name = "gl"
+
+    def __init__(self, size: tuple[int, int], context: moderngl.Context | None = None) -> None:
+        self.size = size
+        self._context = context or gl_context.headless()
+        self._programs: dict[Needs, Program] = {}
+        self._meshes: dict[tuple[int, bool, bool], tuple[object, MeshBuffers]] = {}
+        self._textures: dict[int, tuple[object, moderngl.Texture]] = {}
+        self._targets: dict[tuple[str, int], Target] = {}
+        self._last: tuple[object, object] = (None, None)
+        self._surfaces: tuple[Surface, ...] = ()
+
+    def render(self, setup: Setup, out: NDArray[Any] | None = None) -> Image | NDArray[Any]:
+        """Draw ``setup``; see `playground.render.renderer.Renderer.render`."""
+        if out is None:
+            pixels = np.empty((self.size[1], self.size[0], 4), dtype=np.float32)
+            self._draw_and_read(setup, "f4", pixels)
+            colour = np.ascontiguousarray(pixels[..., :3])
+            return Image(colour, pixels[..., 3].copy(), setup, self.name)
+        check_out(out, self.size)
+        if out.shape[2] == 4 and out.flags.c_contiguous:
+            self._draw_and_read(setup, "f1" if out.dtype == np.uint8 else "f4", out)
+        else:
+            whole = np.empty((self.size[1], self.size[0], 4), dtype=out.dtype)
+            self._draw_and_read(setup, "f1" if out.dtype == np.uint8 else "f4", whole)
+            out[...] = whole[..., : out.shape[2]]
+        return out
+
+    def _draw_and_read(self, setup: Setup, dtype: str, out: NDArray[Any]) -> None:
+        target = self._target(dtype, setup.settings.samples)
+        self.draw(setup, target)
+        target.read(out)
+
+    def draw(self, setup: Setup, target: Target) -> None:
+        """Draw ``setup`` into ``target`` and leave it on the GPU."""
+        settings = setup.settings
+        if self._last != (id(setup.scene), id(settings)) or self._kept is not setup.scene:
+            self._surfaces = surfaces(setup.scene, settings.weights)
+            self._last, self._kept = (id(setup.scene), id(settings)), setup.scene
+        view = view_of(setup.camera, self._surfaces, self.size)
+        codes = target.dtype == "f1"
+        target.begin(_background(setup, codes))
+        for surface in self._surfaces:
+            self._draw_surface(surface, view, settings, codes)
+
+    def _draw_surface(
+        self, surface: Surface, view: View, settings: Settings, codes: bool
+    ) -> None:
+        import moderngl
+
+        wanted = needs(surface, view, settings, codes)
+        program = self._program(wanted)
+        write_place(program, surface, view)
+        write_surface(program, surface, view, settings)
+        if wanted.texture and surface.texels is not None:
+            self._texture(surface.texels).use(0)
+            program.write_integer("diffuse_texels", 0)
+
+        # The picture is drawn upside down, which turns every winding around.
+        self._context.front_face = "ccw" if surface.mirrored else "cw"
+        cull = not view.two_sided(surface)
+        self._context.enable_only(moderngl.DEPTH_TEST | (moderngl.CULL_FACE if cull else 0))
+        self._mesh(surface, wanted).array(program).render()
+
+    def _program(self, wanted: Needs) -> Program:
+        if wanted not in self._programs:
+            self._programs[wanted] = Program(self._context, sources_for(wanted))
+        return self._programs[wanted]
+
+    def _mesh(self, surface: Surface, wanted: Needs) -> MeshBuffers:
+        flat = wanted.shading == "flat"
+        key = (id(surface.mesh), flat, wanted.texture)
+        if key not in self._meshes:
+            buffers = MeshBuffers(self._context, surface.mesh, flat, wanted.texture)
+            self._meshes[key] = (surface.mesh, buffers)
+        return self._meshes[key][1]
+
+    def _texture(self, texels: NDArray[np.float32]) -> moderngl.Texture:
+        if id(texels) not in self._textures:
+            size = (texels.shape[1], texels.shape[0])
+            texture = self._context.texture(size, 3, texels.tobytes(), dtype="f4")
+            self._textures[id(texels)] = (texels, texture)
+        return self._textures[id(texels)][1]
+
+    def _target(self, dtype: str, samples: int) -> Target:
+        key = (dtype, samples)
+        if key not in self._targets:
+            self._targets[key] = Target(self._context, self.size, dtype, samples)
+        return self._targets[key]
+
+    def close(self) -> None:
+        """Free the GPU memory."""
+        for _, buffers in self._meshes.values():
+            buffers.release()
+        for _, texture in self._textures.values():
+            texture.release()
+        for target in self._targets.values():
+            target.release()
+        for program in self._programs.values():
+            program.gl.release()
+        self._meshes, self._textures, self._targets, self._programs = {}, {}, {}, {}
+
+    def __enter__(self) -> GLRenderer:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+
+def _background(setup: Setup, codes: bool) -> tuple[float, float, float]:
+    background = setup.scene.background
+    if codes:
+        s = setup.settings
+        red, green, blue = display_colour(background, s.exposure, s.clamp, s.curve)
+        return float(red), float(green), float(blue)
+    return background

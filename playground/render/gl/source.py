@@ -1,0 +1,97 @@
+"""Shader sources: assembled from files by ``#include``, errors traced back to file and line.
+
+Every included file stands in an ``#ifndef`` guard made here, so that it counts once and
+an include inside ``#if`` means what it says; the expanded text carries ``// from: FILE``
+marks. Defines are injected from Python, so that no constant is
+written twice. No ``#line`` directives: drivers disagree about them, so the table of
+lines is kept here instead.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+
+from playground import locate
+
+VERSION = "#version 330 core"
+_INCLUDE = re.compile(r'^\s*#include\s+"([^"]+)"\s*$')
+# "0:12(5): error: ..." (Mesa), "0(12) : error C1008: ..." (NVIDIA), "ERROR: 0:12: ..." (others)
+_ERROR = re.compile(r"(?:ERROR:\s*)?\d+(?::(\d+)(?:\(\d+\))?|\((\d+)\))\s*:\s*(.+)")
+
+
+@dataclass(frozen=True)
+class Source:
+    """An assembled stage: its text, and for each line the file and line it came from."""
+
+    name: str
+    text: str
+    origin: tuple[tuple[str, int], ...]
+
+    def where(self, line: int) -> str:
+        """``shaders/FILE:LINE`` for a line (from 1) of the expanded text."""
+        file, number = self.origin[min(max(line, 1), len(self.origin)) - 1]
+        return f"shaders/{file}:{number}"
+
+    def explain(self, log: str) -> str:
+        """A driver's message with every position replaced by file and line."""
+        lines = []
+        for line in log.splitlines():
+            found = _ERROR.search(line)
+            if found:
+                number = int(found.group(1) or found.group(2))
+                lines.append(f"{self.where(number)}: {found.group(3)}")
+        return "\n".join(lines) or log.strip()
+
+
+@lru_cache(maxsize=None)
+def _read(name: str) -> tuple[str, ...]:
+    return tuple(locate.shader(name).read_text(encoding="utf-8").splitlines())
+
+
+def assemble(name: str, defines: Mapping[str, object] | None = None, tail: str = "") -> Source:
+    """Expand the shader file ``name`` with ``defines`` on top and ``tail`` below.
+
+    Raises
+    ------
+    FileNotFoundError
+        An include names no file; the message says which file asked for it.
+    """
+    lines: list[str] = [VERSION]
+    origin: list[tuple[str, int]] = [("(defines)", 1)]
+    for key, value in (defines or {}).items():
+        lines.append(f"#define {key} {int(value) if isinstance(value, bool) else value}")
+        origin.append(("(defines)", len(lines)))
+    _expand(name, lines, origin, ())
+    for number, line in enumerate(tail.splitlines(), 1):
+        lines.append(line)
+        origin.append(("(tail)", number))
+    return Source(name, "\n".join(lines) + "\n", tuple(origin))
+
+
+def _expand(
+    name: str, lines: list[str], origin: list[tuple[str, int]], above: tuple[str, ...]
+) -> None:
+    def emit(text: str, number: int) -> None:
+        lines.append(text)
+        origin.append((name, number))
+
+    emit(f"// from: {name}", 1)
+    for number, line in enumerate(_read(name), 1):
+        found = _INCLUDE.match(line)
+        if not found:
+            emit(line, number)
+            continue
+        wanted = found.group(1)
+        if wanted in (*above, name):
+            raise ValueError(f'shaders/{name}:{number}: #include "{wanted}" includes itself')
+        if not locate.shader(wanted).is_file():
+            raise FileNotFoundError(f'shaders/{name}:{number}: #include "{wanted}": no such file')
+        guard = "INCLUDED_" + re.sub(r"\W", "_", wanted)
+        emit(f"#ifndef {guard}", number)
+        emit(f"#define {guard}", number)
+        _expand(wanted, lines, origin, (*above, name))
+        emit("#endif", number)
+        emit(f"// from: {name}", number)

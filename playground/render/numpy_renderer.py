@@ -1,0 +1,195 @@
+"""The reference renderer: float64 NumPy, GL's rules, no GL.
+
+The oracle against which the GPU's pictures are judged, and the fallback where there is
+no driver. The three shadings are the same function called in three places: per triangle,
+per vertex, per pixel.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from playground.render.image import Image
+from playground.render.raster.rasterize import Frame, rasterize
+from playground.render.renderer import check_out
+from playground.render.shade import shade
+from playground.render.surface import Surface, surfaces
+from playground.render.view import View, view_of
+from playground.scene.settings import Settings, Shading
+from playground.scene.setup import Setup
+from playground.shading.display import code8, display_colour
+from playground.shading.texture import bilinear
+from playground.shading.vector import Array, unit
+
+BLOCK = 2**16  # pixels shaded at a time: bounds the memory whatever the size of the picture
+
+
+class NumpyRenderer:
+    """Draws setups of one size in float64."""
+
+    name = "numpy"
+
+    def __init__(self, size: tuple[int, int]) -> None:
+        self.size = size
+
+    def render(self, setup: Setup, out: NDArray[Any] | None = None) -> Image | NDArray[Any]:
+        """Draw ``setup``; see `playground.render.renderer.Renderer.render`."""
+        if out is not None:
+            check_out(out, self.size)
+        colour = np.zeros((self.size[1], self.size[0], 3))
+        covered = np.zeros((self.size[1], self.size[0]))
+        offsets = sample_offsets(setup.settings.samples)
+        for offset in offsets:
+            sample, drawn = render_sample(setup, self.size, offset)
+            colour += sample / len(offsets)
+            covered += drawn / len(offsets)
+        image = Image(colour.astype(np.float32), covered.astype(np.float32), setup, self.name)
+        if out is None:
+            return image
+        if out.dtype == np.uint8:
+            out[..., :3] = image.codes()
+            out[..., 3] = 255
+        else:
+            out[..., :3] = image.pixels
+            if out.shape[2] == 4:
+                out[..., 3] = covered
+        return out
+
+    def close(self) -> None:
+        """Nothing is held."""
+
+    def __enter__(self) -> NumpyRenderer:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+
+def sample_offsets(samples: int) -> list[tuple[float, float]]:
+    """Where in the pixel the samples lie: its centre, or points of the R2 sequence.
+
+    Source: Roberts, The Unreasonable Effectiveness of Quasirandom Sequences, 2018.
+    """
+    if samples == 1:
+        return [(0.5, 0.5)]
+    step = np.array([0.7548776662466927, 0.5698402909980532])
+    points = (0.5 + np.arange(samples)[:, None] * step) % 1.0
+    return [(float(x), float(y)) for x, y in points]
+
+
+def render_sample(
+    setup: Setup, size: tuple[int, int], offset: tuple[float, float] = (0.5, 0.5)
+) -> tuple[Array, NDArray[np.bool_]]:
+    """Linear colour (H, W, 3) and coverage (H, W) at one sample position per pixel."""
+    everything = surfaces(setup.scene, setup.settings.weights)
+    view = view_of(setup.camera, everything, size)
+    frame = visibility(everything, view, size, offset)
+    colour = np.empty((size[1], size[0], 3))
+    colour[...] = setup.scene.background
+    for number, surface in enumerate(everything):
+        rows, columns = np.nonzero(frame.object == number)
+        vertex_colours = colours_before(surface, view, setup.settings)
+        for start in range(0, len(rows), BLOCK):
+            at = rows[start : start + BLOCK], columns[start : start + BLOCK]
+            colour[at] = pixel_colours(surface, view, setup.settings, frame, at, vertex_colours)
+    return colour, frame.drawn
+
+
+def visibility(
+    everything: tuple[Surface, ...],
+    view: View,
+    size: tuple[int, int],
+    offset: tuple[float, float] = (0.5, 0.5),
+) -> Frame:
+    """Which triangle of which surface each pixel sees, and with which weights."""
+    frame = Frame.empty(size)
+    for number, surface in enumerate(everything):
+        clip = clip_positions(surface, view)
+        cull = culled(surface, view)
+        rasterize(clip, surface.mesh.faces, size, cull, frame, number, offset)
+    return frame
+
+
+def clip_positions(surface: Surface, view: View) -> Array:
+    """The vertices of a surface in clip space, shape (N, 4)."""
+    matrix = view.clip_from_eye @ view.eye_from_object(surface)
+    return np.asarray(surface.mesh.positions @ matrix[:, :3].T + matrix[:, 3])
+
+
+def culled(surface: Surface, view: View) -> Any:
+    """The side that cannot be seen, as `rasterize` names it; mirroring turns windings around."""
+    if view.two_sided(surface):
+        return None
+    return "front" if surface.mirrored else "back"
+
+
+def eye_positions(surface: Surface, view: View, points: NDArray[Any]) -> Array:
+    """Points of a mesh (..., 3) relative to the eye."""
+    matrix = view.eye_from_object(surface)
+    return np.asarray(points @ matrix[:3, :3].T + matrix[:3, 3])
+
+
+def eye_normals(surface: Surface, normals: NDArray[Any]) -> Array:
+    """Normals of a mesh (..., 3) in the axes of the world, unit length."""
+    return unit(normals @ surface.normal_from_object.T)
+
+
+VertexColours = tuple[tuple[Array, Array], tuple[Array, Array]] | None
+
+
+def colours_before(surface: Surface, view: View, settings: Settings) -> VertexColours:
+    """What is shaded before rasterising: (diffuse, rest) of the front and of the back.
+
+    Per vertex (N, 3), for flat shading per triangle (M, 3); None for per-fragment.
+    """
+    mesh = surface.mesh
+    if settings.shading == Shading.PER_FRAGMENT:
+        return None
+    if settings.shading == Shading.PER_VERTEX:
+        points, normals = mesh.positions, mesh.normals
+    else:
+        points = mesh.triangle_centres.astype(np.float32)
+        normals = mesh.triangle_normals.astype(np.float32)
+    position, normal = eye_positions(surface, view, points), eye_normals(surface, normals)
+    front = shade(surface, view, settings, position, normal)
+    back = shade(surface, view, settings, position, -normal) if view.two_sided(surface) else front
+    return front, back
+
+
+def pixel_colours(
+    surface: Surface,
+    view: View,
+    settings: Settings,
+    frame: Frame,
+    at: tuple[NDArray[np.intp], NDArray[np.intp]],
+    before: VertexColours,
+) -> Array:
+    """The colours of the pixels ``at`` (rows, columns), which see ``surface``; (K, 3)."""
+    mesh = surface.mesh
+    triangle, weights = frame.triangle[at], frame.weights[at]
+    front = (frame.front[at] != surface.mirrored)[:, None]
+    corners = mesh.faces[triangle]
+
+    def interpolate(attribute: NDArray[Any]) -> Array:
+        return np.asarray(np.einsum("kc,kcx->kx", weights, attribute[corners]))
+
+    if before is None:
+        position = eye_positions(surface, view, interpolate(mesh.positions))
+        normals = mesh.normals
+        if surface.stretched:  # as the vertex stage does, so that all weigh the same
+            normal = unit(interpolate(eye_normals(surface, normals)))
+        else:
+            normal = eye_normals(surface, interpolate(normals))
+        diffuse, rest = shade(surface, view, settings, position, np.where(front, normal, -normal))
+    else:
+        faces = settings.shading == Shading.FLAT
+        pick = (lambda a: a[triangle]) if faces else interpolate
+        (diffuse_front, rest_front), (diffuse_back, rest_back) = before
+        diffuse = np.where(front, pick(diffuse_front), pick(diffuse_back))
+        rest = np.where(front, pick(rest_front), pick(rest_back))
+    if surface.texels is not None and mesh.texcoords is not None:
+        diffuse = diffuse * bilinear(surface.texels, interpolate(mesh.texcoords))
+    return diffuse + rest

@@ -1,0 +1,152 @@
+"""The one door from a setup to a picture: `render`, and `open_renderer` for many.
+
+Two renderers give one result. ``gl`` draws on the GPU, in a window's context or
+headless; ``numpy`` is the float64 reference and works everywhere.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from playground.errors import PlaygroundError, unknown_name
+from playground.render.image import Image
+from playground.scene.setup import Setup
+
+RENDERERS = ("auto", "gl", "numpy")
+METHODS = ("raster", "ray-tracing", "radiosity", "lightmap")
+LARGEST_SIDE = 32768
+
+
+class Renderer(Protocol):
+    """Turns setups into pictures of one size; keeps what it can between them."""
+
+    name: str
+    size: tuple[int, int]
+
+    def render(self, setup: Setup, out: NDArray[Any] | None = None) -> Image | NDArray[Any]:
+        """Draw ``setup``.
+
+        Parameters
+        ----------
+        setup : Setup
+        out : array, optional
+            uint8 (H, W, 4) for 8-bit codes, or float32 (H, W, 3) or (H, W, 4) for linear
+            light and coverage; written in place and returned. Without it the result is
+            a new `Image`.
+        """
+        ...
+
+    def close(self) -> None:
+        """Free what the renderer holds."""
+        ...
+
+    def __enter__(self) -> Renderer: ...
+
+    def __exit__(self, *error: object) -> None: ...
+
+
+def open_renderer(
+    size: tuple[int, int] = (640, 480), renderer: str = "auto", context: Any = None
+) -> Renderer:
+    """A renderer for pictures of ``size`` (width, height) in pixels, to use in a ``with`` block.
+
+    ``renderer`` is ``"gl"``, ``"numpy"``, or ``"auto"``: gl where a driver is found (its
+    ``.name`` says which it took). ``context`` is a window's moderngl context.
+
+    Raises
+    ------
+    PlaygroundError
+        An impossible size, an unknown renderer, or ``"gl"`` without a driver.
+    """
+    size = check_size(size)
+    if renderer not in RENDERERS:
+        raise unknown_name("renderer", renderer, RENDERERS)
+    if renderer != "numpy":
+        from playground.render.gl.context import NoDriver
+
+        try:
+            from playground.render.gl.renderer import GLRenderer
+
+            return GLRenderer(size, context)
+        except NoDriver:
+            if renderer == "gl":
+                raise
+    from playground.render.numpy_renderer import NumpyRenderer
+
+    return NumpyRenderer(size)
+
+
+def render(
+    setup: Setup,
+    size: tuple[int, int] = (640, 480),
+    renderer: str = "auto",
+    method: str = "raster",
+) -> Image:
+    """The picture of ``setup``: linear float32 light, row 0 on top.
+
+    Parameters
+    ----------
+    setup : Setup
+    size : (int, int)
+        Width and height in pixels.
+    renderer : {"auto", "gl", "numpy"}
+    method : {"raster"}
+        Ray tracing, radiosity and lightmaps are named in the plan and not there yet.
+
+    Raises
+    ------
+    PlaygroundError
+        An unknown name, an impossible size, or ``renderer="gl"`` without a driver.
+    """
+    if not isinstance(setup, Setup):
+        raise PlaygroundError(
+            "render takes a setup", got=type(setup).__name__, fix='Make one with load("teapot").'
+        )
+    if method not in METHODS:
+        raise unknown_name("method", method, METHODS)
+    if method != "raster":
+        raise PlaygroundError(
+            "this method is not built yet", got=method, allowed="raster", fix="Use method='raster'."
+        )
+    with open_renderer(size, renderer) as opened:
+        image = opened.render(setup)
+    assert isinstance(image, Image)
+    return image
+
+
+def check_size(size: Any) -> tuple[int, int]:
+    """Width and height as whole numbers from 1 to 32768, or an error."""
+    try:
+        width, height = (int(side) for side in size)
+        whole = (width, height) == tuple(size)
+    except (TypeError, ValueError):
+        whole = False
+    if not whole or not (1 <= width <= LARGEST_SIDE and 1 <= height <= LARGEST_SIDE):
+        raise PlaygroundError(
+            "the size of a picture is (width, height) in pixels",
+            got=size,
+            allowed=f"whole numbers from 1 to {LARGEST_SIDE}",
+        )
+    return width, height
+
+
+def check_out(out: NDArray[Any], size: tuple[int, int]) -> None:
+    """Whether ``out`` can take a picture of ``size``; an error says what it must be."""
+    width, height = size
+    good = (
+        isinstance(out, np.ndarray)
+        and out.shape[:2] == (height, width)
+        and out.ndim == 3
+        and ((out.dtype == np.uint8 and out.shape[2] == 4)
+             or (out.dtype == np.float32 and out.shape[2] in (3, 4)))
+        and out.flags.writeable
+    )
+    if not good:
+        raise PlaygroundError(
+            "this array cannot take the picture",
+            got=f"{getattr(out, 'dtype', type(out).__name__)} {getattr(out, 'shape', '')}",
+            allowed=f"uint8 ({height}, {width}, 4), or float32 ({height}, {width}, 3 or 4)",
+        )

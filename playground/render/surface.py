@@ -1,0 +1,126 @@
+"""What of a scene does not depend on the camera, made ready for drawing.
+
+One `Surface` per object: its mesh, its matrices, and the products of light and material
+colours, which are the same at every one of its points.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import radians
+
+import numpy as np
+from numpy.typing import NDArray
+
+from playground.render.texels import load_texture
+from playground.scene.light import DirectionalLight, Light, PointLight, SpotLight
+from playground.scene.mesh import Mesh
+from playground.scene.scene import Object, Scene
+from playground.scene.setup import ball_of
+from playground.shading.light import cone
+from playground.shading.phong import ambient_term, component_filter, emissive_term
+from playground.shading.vector import normal_matrix, unit
+
+Array = NDArray[np.float64]
+NO_ATTENUATION = (1.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class SurfaceLight:
+    """One light as one surface sees it: ``diffuse`` is w_d s_d ⊗ m_d, ``specular`` w_s s_s ⊗ m_s.
+
+    ``position``, ``to_light`` and ``axis`` are in the world, shape (3,), where the kind
+    of light has them; ``attenuation`` is (k_c, k_l, k_q).
+    """
+
+    kind: str
+    diffuse: Array
+    specular: Array
+    to_light: Array | None = None
+    position: Array | None = None
+    attenuation: tuple[float, float, float] = NO_ATTENUATION
+    axis: Array | None = None
+    edge_width: tuple[float, float] = (1.0, 0.0)
+
+    @property
+    def attenuates(self) -> bool:
+        """Whether distance makes a difference."""
+        return self.attenuation != NO_ATTENUATION
+
+
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """One object ready to be drawn from anywhere; matrices act on column vectors."""
+
+    mesh: Mesh
+    linear: Array  # (3, 3): world axes from object axes
+    origin: Array  # (3,): where the mesh's origin lies in the world
+    normal_from_object: Array  # (3, 3): unit normals to unit normals unless `stretched`
+    ball: tuple[Array, float]
+    mirrored: bool
+    stretched: bool
+    constant_terms: Array  # (3,): Σ w_a s_a ⊗ m_a + w_e m_e
+    shininess: float
+    lights: tuple[SurfaceLight, ...]
+    texels: NDArray[np.float32] | None
+
+
+def surfaces(scene: Scene, weights: dict[str, float]) -> tuple[Surface, ...]:
+    """Every object of the scene, with the four terms weighted as in `Settings.weights`."""
+    return tuple(_surface(item, scene.lights, weights) for item in scene.objects)
+
+
+def _surface(item: Object, lights: tuple[Light, ...], weights: dict[str, float]) -> Surface:
+    geometry = item.geometry()
+    world = item.transform.matrix
+    linear = world[:3, :3]
+
+    # A rotation times one factor keeps unit normals of one length: make the factor 1.
+    normals = normal_matrix(linear)
+    gram = normals @ normals.T
+    stretched = not np.allclose(gram, gram[0, 0] * np.eye(3), rtol=1e-9, atol=1e-9)
+    if not stretched and gram[0, 0] > 0.0:
+        normals = normals / np.sqrt(gram[0, 0])
+
+    material = item.material
+    ambient = sum((ambient_term(x.ambient, material.ambient) for x in lights), np.zeros(3))
+    constant = weights["ambient"] * ambient
+    constant = constant + weights["emissive"] * emissive_term(material.emissive)
+    textured = material.texture and geometry.mesh.texcoords is not None
+    return Surface(
+        mesh=geometry.mesh,
+        linear=linear,
+        origin=world[:3, 3] + linear @ geometry.offset,
+        normal_from_object=normals,
+        ball=ball_of(item),
+        mirrored=bool(np.linalg.det(linear / (np.max(np.abs(linear)) or 1.0)) < 0.0),
+        stretched=stretched,
+        constant_terms=constant,
+        shininess=material.shininess,
+        lights=tuple(surface_light(light, item, weights) for light in lights),
+        texels=load_texture(material.texture, material.texture_encoding) if textured else None,
+    )
+
+
+def surface_light(light: Light, item: Object, weights: dict[str, float]) -> SurfaceLight:
+    """One light with its products with the material of ``item``."""
+    diffuse = weights["diffuse"] * component_filter(light.diffuse, item.material.diffuse)
+    specular = weights["specular"] * component_filter(light.specular, item.material.specular)
+    if isinstance(light, DirectionalLight):
+        return SurfaceLight("directional", diffuse, specular, to_light=unit(light.to_light))
+    assert isinstance(light, PointLight)
+    position = np.array(light.position)
+    fading = (light.constant, light.linear, light.quadratic)
+    attenuation = fading if light.attenuate else NO_ATTENUATION
+    if not isinstance(light, SpotLight):
+        return SurfaceLight("point", diffuse, specular, position=position, attenuation=attenuation)
+    edge, width = cone(radians(light.inner_angle), radians(light.outer_angle))
+    return SurfaceLight(
+        "spot",
+        diffuse,
+        specular,
+        position=position,
+        attenuation=attenuation,
+        axis=unit(light.axis),
+        edge_width=(float(edge), float(width)),
+    )

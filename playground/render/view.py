@@ -1,0 +1,65 @@
+"""What depends on the camera: everything is seen relative to the eye.
+
+Positions become (world − eye) times a power of two that makes the scene about 1 in size,
+subtracted and scaled in float64: a scene a million units from the origin, or a millionth
+of a unit in size, is the same to both renderers.
+Source: Cozzi & Ring, 3D Engine Design for Virtual Globes, 2011, chapter 5 (relative to eye).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import frexp
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from playground.render.projection import clip_matrix, fit_depth
+from playground.render.surface import Surface
+from playground.scene.camera import Camera
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class View:
+    """A camera for a picture of a given shape, fitted to the surfaces it sees."""
+
+    eye: Array  # (3,), world
+    scale: float  # one unit of the world in units of eye-relative space; a power of two
+    near: float  # world units
+    far: float
+    clip_from_eye: Array  # (4, 4): from eye-relative positions to clip space
+
+    def relative(self, points: ArrayLike) -> Array:
+        """World points (..., 3) relative to the eye, scaled."""
+        return np.asarray(np.subtract(points, self.eye, dtype=np.float64) * self.scale)
+
+    def world(self, points: ArrayLike) -> Array:
+        """The inverse of `relative`."""
+        return np.asarray(np.asarray(points, dtype=np.float64) / self.scale + self.eye)
+
+    def eye_from_object(self, surface: Surface) -> Array:
+        """The matrix (4, 4) from the positions of a mesh to eye-relative ones."""
+        matrix = np.eye(4)
+        matrix[:3, :3] = surface.linear * self.scale
+        matrix[:3, 3] = self.relative(surface.origin)
+        return matrix
+
+    def attenuation(self, k: tuple[float, float, float]) -> tuple[float, float, float]:
+        """Attenuation factors for distances measured in eye-relative units."""
+        return k[0], k[1] / self.scale, k[2] / self.scale**2
+
+    def two_sided(self, surface: Surface) -> bool:
+        """Whether its inside may be seen: it is open, or the near plane may cut into it."""
+        centre, radius = surface.ball
+        distance = float(np.linalg.norm(centre - self.eye)) - radius
+        return distance <= self.near or not surface.mesh.closed
+
+
+def view_of(camera: Camera, surfaces: tuple[Surface, ...], size: tuple[int, int]) -> View:
+    """The view of ``camera`` for a picture of ``size`` (width, height) in pixels."""
+    near, far = fit_depth(camera, [surface.ball for surface in surfaces])
+    scale = 2.0 ** -frexp(far)[1]
+    clip = clip_matrix(camera, size[0] / size[1], near * scale, far * scale)
+    return View(np.array(camera.eye), scale, near, far, clip)
