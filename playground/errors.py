@@ -42,7 +42,7 @@ def unknown_name(kind: str, name: object, known: Iterable[str]) -> PlaygroundErr
     """An error for a name nobody knows: lists the known ones, suggests the nearest."""
     from difflib import get_close_matches
 
-    known = sorted(known)
+    known = sorted(set(known))
     near = get_close_matches(str(name), known, n=1, cutoff=0.5)
     return PlaygroundError(
         f"unknown {kind}",

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.errors import PlaygroundError, unknown_name
+from playground.errors import unknown_name
 from playground.scene.camera import Camera
 from playground.scene.knob import knobs
-from playground.scene.light import Light
 from playground.scene.material import Material
 from playground.scene.scene import Object, Scene
 from playground.scene.settings import Settings
@@ -53,7 +52,7 @@ class Setup:
         # Sort the knobs by the part that declares them.
         by_part: dict[str, dict[str, Any]] = {}
         for name, value in changes.items():
-            by_part.setdefault(_owner(name), {})[name] = value
+            by_part.setdefault(owner_of(name)[0], {})[name] = value
         for part in ("scene", "camera", "settings"):
             if part in by_part:
                 setup = replace(setup, **{part: replace(getattr(setup, part), **by_part[part])})
@@ -104,10 +103,11 @@ def ball_of(item: Object) -> tuple[NDArray[np.float64], float]:
     return centre, geometry.mesh.radius * stretch
 
 
-def _owner(name: str) -> str:
+def owner_of(name: str) -> tuple[str, type]:
+    """The part of a setup whose knob ``name`` is: its name and its class."""
     for part, declared in _OWNERS.items():
         if name in knobs(declared):
-            return part
+            return part, declared
     every = [key for declared in _OWNERS.values() for key in knobs(declared)]
     raise unknown_name("quantity", name, [*every, *_PARTS])
 
