@@ -68,7 +68,9 @@ def _parser() -> argparse.ArgumentParser:
     compare.add_argument("b", metavar="B", help="a picture or a setup")
     compare.add_argument("-o", "--output", type=Path, help="the difference in false colours")
     compare.add_argument("--json", action="store_true", help="one JSON document, nothing else")
-    compare.add_argument("--tolerance", type=float, help="status 1 if the largest difference exceeds it")
+    compare.add_argument(
+        "--tolerance", type=float, help="status 1 if the largest difference exceeds it"
+    )
     _picture_options(compare)
     compare.set_defaults(run=_compare)
 
@@ -81,7 +83,9 @@ def _parser() -> argparse.ArgumentParser:
     explain.set_defaults(run=_explain)
 
     measure = commands.add_parser("measure", help="speed against error")
-    measure.add_argument("experiments", nargs="*", metavar="EXPERIMENT", help="frames (all if none)")
+    measure.add_argument(
+        "experiments", nargs="*", metavar="EXPERIMENT", help="frames (all if none)"
+    )
     measure.add_argument("-o", "--output", type=Path, help="folder for the tables")
     measure.add_argument("--rounds", type=int, default=9, help="interleaved rounds")
     measure.add_argument("--json", action="store_true", help="one JSON document, nothing else")
@@ -103,10 +107,19 @@ def _setup_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--shading", help="flat, per-vertex or per-fragment")
     parser.add_argument("--terms", help="comma list of diffuse, specular, ambient, emissive")
     parser.add_argument("--shininess", help="exponent of the highlight, for every object")
-    parser.add_argument("--light", action="append", metavar="'TYPE KEY=VALUE ...'",
-                        help="replaces the setup's lights; may be repeated")
-    parser.add_argument("--set", action="append", metavar="KEY=VALUE", default=[],
-                        help="any knob: shininess=20, gate=on, light.0.diffuse=1,0,0")
+    parser.add_argument(
+        "--light",
+        action="append",
+        metavar="'TYPE KEY=VALUE ...'",
+        help="replaces the setup's lights; may be repeated",
+    )
+    parser.add_argument(
+        "--set",
+        action="append",
+        metavar="KEY=VALUE",
+        default=[],
+        help="any knob: shininess=20, gate=on, light.0.diffuse=1,0,0",
+    )
 
 
 def _size(text: str) -> tuple[int, int]:

@@ -32,7 +32,9 @@ def report(found: dict[str, Any]) -> str:
     gl, window = found["gl"], found["window"]
     if gl["works"]:
         lines.append(f"GL          works: {gl['renderer']}, {gl['version']}")
-        lines.append(f"            {gl['samples']} samples, pictures up to {gl['largest']} pixels a side")
+        lines.append(
+            f"            {gl['samples']} samples, pictures up to {gl['largest']} pixels a side"
+        )
     else:
         lines += [f"GL          none: {gl['reason']}", f"            install: {INSTALL_DRIVER}"]
         lines.append("            until then pictures are made by NumPy, more slowly")
@@ -53,11 +55,11 @@ def _version(package: str) -> str | None:
 
 
 def _gl() -> dict[str, Any]:
-    from playground.render.gl.context import NoDriver, headless
+    from playground.render.gl.context import NoDriverError, headless
 
     try:
         context = headless()
-    except NoDriver as error:
+    except NoDriverError as error:
         return {"works": False, "reason": str(error.got)}
     info = context.info
     return {

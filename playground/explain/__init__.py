@@ -1,4 +1,4 @@
-"""Why a pixel has its colour. Calling the package explains: ``playground.explain(setup, pixel)``."""
+"""Why a pixel has its colour. The package can be called: ``playground.explain(setup, pixel)``."""
 
 from playground.callable_package import make_callable
 

@@ -30,7 +30,9 @@ def lay_out(
     height, width = rows[0][0].codes.shape[:2]
     text = max(13, round(height / 17))
     font = ImageFont.truetype(str(locate.asset("fonts/DejaVuSans.ttf")), text)
-    small = ImageFont.truetype(str(locate.asset("fonts/DejaVuSans.ttf")), max(11, round(0.8 * text)))
+    small = ImageFont.truetype(
+        str(locate.asset("fonts/DejaVuSans.ttf")), max(11, round(0.8 * text))
+    )
     line = round(1.7 * text)
     columns = max(len(row) for row in rows)
     above, below = (line + MARGIN if heading else MARGIN), (line if footer else MARGIN)

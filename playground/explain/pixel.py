@@ -11,6 +11,7 @@ from math import acos, degrees
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from playground.errors import PlaygroundError
 from playground.render.needs import needs
@@ -75,7 +76,7 @@ class Explanation:
     size: tuple[int, int]
     colour: Array
     shown: Array
-    codes: Array
+    codes: NDArray[np.uint8]
     object: int | None = None
     triangle: int | None = None
     weights: Array = field(default_factory=lambda: np.ones(1))

@@ -88,7 +88,8 @@ def _sum_error(alone: list[Image], whole: Image) -> float:
 
     Every picture holds the background once, weighted by what no surface covers.
     """
-    assert whole.coverage is not None and whole.setup is not None
+    assert whole.coverage is not None
+    assert whole.setup is not None
     behind = (1.0 - whole.coverage[..., None]) * np.array(whole.setup.scene.background)
     total = np.sum([image.pixels.astype(np.float64) - behind for image in alone], axis=0)
     return float(np.max(np.abs(total + behind - whole.pixels)))
@@ -103,12 +104,14 @@ def _shininess(setup: Setup, renderer: Renderer) -> Sheet:
         )
         for letter, sh in zip("abcd", SHININESS, strict=True)
     ]
-    message = "the larger the shininess, the faster (r·v)^sh falls off, and the smaller the highlight"
+    message = (
+        "the larger the shininess, the faster (r·v)^sh falls off, and the smaller the highlight"
+    )
     return Sheet(lay_out([row], setup.scene.title, message), setup, message)
 
 
 def _shading(setup: Setup, renderer: Renderer) -> Sheet:
-    """flat | per-vertex | per-fragment | how the last two differ, magnified."""
+    """Flat | per-vertex | per-fragment | how the last two differ, magnified."""
     modes = ("flat", "per-vertex", "per-fragment")
     images = [_picture(renderer, setup.with_(shading=mode)) for mode in modes]
     row = [Panel(image.codes(), mode) for image, mode in zip(images, modes, strict=True)]

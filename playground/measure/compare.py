@@ -40,7 +40,7 @@ class Comparison:
         return json.dumps(self.to_dict())
 
     def heatmap(self, largest: float | None = None) -> Image:
-        """The difference in false colours, yellow where it is ``largest`` (default: the maximum)."""
+        """The difference in false colours, yellow at ``largest`` (default: the maximum)."""
         top = largest or self.max or 1.0
         return Image(colour_of(self.difference / top).astype(np.float32), renderer="comparison")
 

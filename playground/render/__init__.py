@@ -1,4 +1,4 @@
-"""How a setup becomes an image. Calling the package renders: ``playground.render(setup)``."""
+"""How a setup becomes an image. The package can be called: ``playground.render(setup)``."""
 
 from playground.callable_package import make_callable
 

@@ -20,7 +20,6 @@ from playground.render.surface import Surface, surfaces
 from playground.render.view import View, view_of
 from playground.scene.settings import Settings, Shading
 from playground.scene.setup import Setup
-from playground.shading.display import code8, display_colour
 from playground.shading.texture import bilinear
 from playground.shading.vector import Array, unit
 

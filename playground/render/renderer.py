@@ -65,13 +65,13 @@ def open_renderer(
     if renderer not in RENDERERS:
         raise unknown_name("renderer", renderer, RENDERERS)
     if renderer != "numpy":
-        from playground.render.gl.context import NoDriver
+        from playground.render.gl.context import NoDriverError
 
         try:
             from playground.render.gl.renderer import GLRenderer
 
             return GLRenderer(size, context)
-        except NoDriver:
+        except NoDriverError:
             if renderer == "gl":
                 raise
     from playground.render.numpy_renderer import NumpyRenderer
@@ -140,8 +140,10 @@ def check_out(out: NDArray[Any], size: tuple[int, int]) -> None:
         isinstance(out, np.ndarray)
         and out.shape[:2] == (height, width)
         and out.ndim == 3
-        and ((out.dtype == np.uint8 and out.shape[2] == 4)
-             or (out.dtype == np.float32 and out.shape[2] in (3, 4)))
+        and (
+            (out.dtype == np.uint8 and out.shape[2] == 4)
+            or (out.dtype == np.float32 and out.shape[2] in (3, 4))
+        )
         and out.flags.writeable
     )
     if not good:

@@ -8,7 +8,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from playground.render.surface import Surface, SurfaceLight
 from playground.render.view import View

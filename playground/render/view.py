@@ -54,7 +54,7 @@ class View:
         """Whether its inside may be seen: it is open, or the near plane may cut into it."""
         centre, radius = surface.ball
         distance = float(np.linalg.norm(centre - self.eye)) - radius
-        return distance <= self.near or not surface.mesh.closed
+        return distance <= self.near or not surface.mesh.cullable
 
 
 def view_of(camera: Camera, surfaces: tuple[Surface, ...], size: tuple[int, int]) -> View:

@@ -1,0 +1,1 @@
+"""What is lit: frozen values, files, the library of setups."""

@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import Any
 
 from playground.errors import PlaygroundError, unknown_name
-from playground.scene.knob import Declared, Knob, knobs
+from playground.scene.knob import Knob, knobs
 from playground.scene.light import LIGHTS, Light
 from playground.scene.setup import Setup, owner_of
 
@@ -90,7 +90,6 @@ def _changed(item: Any, path: list[str], value: str, where: str) -> Any:
         return replace(item, **{path[0]: changed})
     if len(path) > 1:
         raise PlaygroundError(f"{where}.{path[0]} has no parts", got=".".join(path))
-    assert isinstance(item, Declared)
     return replace(item, **{path[0]: read(known[path[0]], value, f"{where}.{path[0]}")})
 
 

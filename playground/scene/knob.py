@@ -11,7 +11,6 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Sequence
-from functools import lru_cache
 from typing import Any
 
 from playground.errors import PlaygroundError, unknown_name
@@ -191,11 +190,15 @@ def text(default: str = "", **more: Any) -> Any:
     return _field(Knob("text", default, **more))
 
 
-@lru_cache(maxsize=None)
+_KNOBS: dict[type, dict[str, Knob]] = {}
+
+
 def knobs(declared: type) -> dict[str, Knob]:
     """All knobs of a dataclass, by field name, in the order of declaration."""
-    fields = dataclasses.fields(declared)
-    return {f.name: f.metadata["knob"] for f in fields if "knob" in f.metadata}
+    if declared not in _KNOBS:
+        fields = dataclasses.fields(declared)
+        _KNOBS[declared] = {f.name: f.metadata["knob"] for f in fields if "knob" in f.metadata}
+    return _KNOBS[declared]
 
 
 class Declared:

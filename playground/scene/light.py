@@ -56,7 +56,9 @@ class PointLight(Light):
 
     position: tuple[float, float, float] = vector(2.0, 3.0, 3.0, help="where the light stands")
     attenuate: bool = switch(False, help="weaken the light with distance")
-    constant: float = number(1.0, 0.0, 1e6, symbol="k_c", help="attenuation 1/(k_c + k_l d + k_q d²)")
+    constant: float = number(
+        1.0, 0.0, 1e6, symbol="k_c", help="attenuation 1/(k_c + k_l d + k_q d²)"
+    )
     linear: float = number(0.0, 0.0, 1e6, unit="1/length", symbol="k_l", help="attenuation with d")
     quadratic: float = number(
         0.1, 0.0, 1e6, unit="1/length²", symbol="k_q", help="attenuation with d²"

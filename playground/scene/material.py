@@ -30,7 +30,12 @@ class Material(Declared):
         0.0, 0.0, 0.0, symbol="m_e", help="light that the surface sends out by itself"
     )
     shininess: float = number(
-        20.0, 0.0, 1e6, scale="log", symbol="sh", help="exponent of the highlight: larger is sharper"
+        20.0,
+        0.0,
+        1e6,
+        scale="log",
+        symbol="sh",
+        help="exponent of the highlight: larger is sharper",
     )
     texture: str = text(help="image file that gives m_d at every point; empty for none")
     texture_encoding: str = choice(

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import Enum
+from enum import StrEnum
 
 from playground.scene.knob import Declared, choice, integer, names, number, switch
 
 
-class Shading(str, Enum):
+class Shading(StrEnum):
     """Where the Phong model is evaluated."""
 
     FLAT = "flat"

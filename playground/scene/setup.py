@@ -90,7 +90,14 @@ class Setup:
         away = away / np.linalg.norm(away)
         distance = 1.05 * radius / np.sin(np.radians(camera.fov) / 2)
         eye = centre + distance * away
-        return replace(self, camera=replace(camera, eye=eye, target=centre, near=0.0, far=0.0))
+        return replace(
+            self,
+            camera=replace(camera, eye=_triple(eye), target=_triple(centre), near=0.0, far=0.0),
+        )
+
+
+def _triple(point: NDArray[np.float64]) -> tuple[float, float, float]:
+    return float(point[0]), float(point[1]), float(point[2])
 
 
 def ball_of(item: Object) -> tuple[NDArray[np.float64], float]:

@@ -36,7 +36,9 @@ def parse_setup(text: str, name: str, folder: Path | None = None) -> Setup:
         table = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise PlaygroundError(
-            "not valid TOML", got=str(error), fix="See the setup files in assets/scenes for the form."
+            "not valid TOML",
+            got=str(error),
+            fix="See the setup files in assets/scenes for the form.",
         ) from None
     return from_table(table, name, folder)
 

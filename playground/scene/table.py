@@ -144,7 +144,9 @@ def _as_list(table: Table, name: str) -> list[Any]:
     value = table.get(name, [])
     if not isinstance(value, list):
         raise PlaygroundError(
-            f"[{name}] must be a list of tables", got=value, fix=f"Write [[{name}]], twice bracketed."
+            f"[{name}] must be a list of tables",
+            got=value,
+            fix=f"Write [[{name}]], twice bracketed.",
         )
     return value
 

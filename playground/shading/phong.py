@@ -18,7 +18,7 @@ from playground.shading.vector import Array, dot, halfway, reflection
 
 
 def component_filter(light: ArrayLike, material: ArrayLike) -> Array:
-    """s ⊗ m: each colour channel of the light, weakened by that of the material."""
+    """S ⊗ m: each colour channel of the light, weakened by that of the material."""
     return np.multiply(light, material, dtype=np.float64)
 
 
@@ -54,12 +54,12 @@ def gate(normal: ArrayLike, to_light: ArrayLike) -> Array:
 
 
 def diffuse_term(factor: ArrayLike, light: ArrayLike, material: ArrayLike) -> Array:
-    """factor · s_d ⊗ m_d, with the factor of Lambert's law; shape (..., 3)."""
+    """Factor · s_d ⊗ m_d, with the factor of Lambert's law; shape (..., 3)."""
     return np.asarray(factor)[..., None] * component_filter(light, material)
 
 
 def specular_term(factor: ArrayLike, light: ArrayLike, material: ArrayLike) -> Array:
-    """factor · s_s ⊗ m_s, with the factor of the highlight; shape (..., 3)."""
+    """Factor · s_s ⊗ m_s, with the factor of the highlight; shape (..., 3)."""
     return np.asarray(factor)[..., None] * component_filter(light, material)
 
 
@@ -82,9 +82,6 @@ def weighted_sum(
 ) -> Array:
     """The sum of the four terms, each times its weight (a switch, or a fader); (..., 3)."""
     w = np.asarray(weights, dtype=np.float64)
-    return np.asarray(
-        w[..., 0, None] * diffuse
-        + w[..., 1, None] * specular
-        + w[..., 2, None] * ambient
-        + w[..., 3, None] * emissive
-    )
+    terms = (diffuse, specular, ambient, emissive)
+    weighted = [w[..., i, None] * np.asarray(term, np.float64) for i, term in enumerate(terms)]
+    return np.asarray(weighted[0] + weighted[1] + weighted[2] + weighted[3])

@@ -31,7 +31,7 @@ def length(v: ArrayLike) -> Array:
 
 
 def unit(v: ArrayLike) -> Array:
-    """v / |v| for vectors of any length, shape (..., 3); the zero vector stays zero.
+    """V / |v| for vectors of any length, shape (..., 3); the zero vector stays zero.
 
     Source: Blue 1978, as in `length`.
     """

@@ -22,7 +22,7 @@ WINDOW_PACKAGES = "libx11-6 libxext6"
 INSTALL_DRIVER = f"sudo apt-get install -y {DRIVER_PACKAGES}"
 
 
-class NoDriver(PlaygroundError):
+class NoDriverError(PlaygroundError):
     """There is no working GL driver on this machine."""
 
 
@@ -32,7 +32,7 @@ def headless() -> moderngl.Context:
 
     Raises
     ------
-    NoDriver
+    NoDriverError
         With the reason of each backend that was tried.
     """
     import moderngl
@@ -52,7 +52,7 @@ def headless() -> moderngl.Context:
         # returns zeros in silence: keep a small one bound.
         context.simple_framebuffer((4, 4)).use()
         return context
-    raise NoDriver(
+    raise NoDriverError(
         "no GL driver was found",
         got="; ".join(reasons),
         fix=f"On Debian or Ubuntu: {INSTALL_DRIVER}. Or use --renderer numpy, which needs none.",
@@ -70,6 +70,6 @@ def available() -> bool:
     """Whether a GL driver works here; the first call finds out."""
     try:
         headless()
-    except NoDriver:
+    except NoDriverError:
         return False
     return True

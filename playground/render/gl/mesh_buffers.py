@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from playground.render.gl.program import Program
 
-Floats = NDArray[np.float32]
+Layout = tuple[dict[str, NDArray[Any]], NDArray[np.int32]]
 
 
 class MeshBuffers:
@@ -60,7 +60,7 @@ class MeshBuffers:
         self.indices.release()
 
 
-def _smooth_layout(mesh: Mesh) -> tuple[dict[str, NDArray], NDArray[np.int32]]:
+def _smooth_layout(mesh: Mesh) -> Layout:
     vertex = np.arange(len(mesh.positions))[:, None]
     return {
         "object_position": mesh.positions,
@@ -69,7 +69,7 @@ def _smooth_layout(mesh: Mesh) -> tuple[dict[str, NDArray], NDArray[np.int32]]:
     }, mesh.faces
 
 
-def _flat_layout(mesh: Mesh) -> tuple[dict[str, NDArray], NDArray[np.int32]]:
+def _flat_layout(mesh: Mesh) -> Layout:
     count = len(mesh.faces)
     owner = np.full(len(mesh.positions), -1, dtype=np.int32)
     owner[mesh.faces[:, 2]] = np.arange(count)

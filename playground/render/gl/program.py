@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from playground.render.gl.source import Source, assemble
 from playground.render.needs import Needs
@@ -36,17 +35,18 @@ class Program:
             self.gl = context.program(vertex_shader=vertex.text, fragment_shader=fragment.text)
         except moderngl.Error as error:
             raise ShaderError(explain(str(error), sources)) from None
-        self.attributes = {name for name in self.gl if isinstance(self.gl[name], moderngl.Attribute)}
-        self._uniforms = {
-            name: self.gl[name] for name in self.gl if isinstance(self.gl[name], moderngl.Uniform)
+        self.attributes = {
+            name for name in self.gl if isinstance(self.gl[name], moderngl.Attribute)
         }
+        members = {name: self.gl[name] for name in self.gl}
+        self._uniforms = {n: m for n, m in members.items() if isinstance(m, moderngl.Uniform)}
 
-    def write(self, name: str, value: ArrayLike) -> None:
+    def write(self, name: str, value: Any) -> None:
         """Upload ``value`` as float32; matrices are given as NumPy writes them, row by row."""
         uniform = self._uniforms.get(name)
         if uniform is not None:
             array = np.asarray(value, dtype=np.float32)
-            if uniform.matrix:
+            if getattr(uniform, "matrix", False):  # missing from the stubs
                 array = array.swapaxes(-1, -2)
             uniform.write(array.tobytes()[: 4 * uniform.dimension * uniform.array_length])
 

@@ -17,6 +17,7 @@ from playground.render.needs import Needs, needs
 from playground.render.renderer import check_out
 from playground.render.surface import Surface, surfaces
 from playground.render.view import View, view_of
+from playground.scene.scene import Scene
 from playground.scene.settings import Settings
 from playground.scene.setup import Setup
 from playground.shading.display import display_colour
@@ -37,7 +38,7 @@ class GLRenderer:
         self._meshes: dict[tuple[int, bool, bool], tuple[object, MeshBuffers]] = {}
         self._textures: dict[int, tuple[object, moderngl.Texture]] = {}
         self._targets: dict[tuple[str, int], Target] = {}
-        self._last: tuple[object, object] = (None, None)
+        self._drawn: tuple[Scene | None, Settings | None] = (None, None)
         self._surfaces: tuple[Surface, ...] = ()
 
     def render(self, setup: Setup, out: NDArray[Any] | None = None) -> Image | NDArray[Any]:
@@ -64,18 +65,17 @@ class GLRenderer:
     def draw(self, setup: Setup, target: Target) -> None:
         """Draw ``setup`` into ``target`` and leave it on the GPU."""
         settings = setup.settings
-        if self._last != (id(setup.scene), id(settings)) or self._kept is not setup.scene:
-            self._surfaces = surfaces(setup.scene, settings.weights)
-            self._last, self._kept = (id(setup.scene), id(settings)), setup.scene
+        scene, last = setup.scene, self._drawn
+        if last[0] is not scene or last[1] is not settings:  # else only the camera moved
+            self._surfaces = surfaces(scene, settings.weights)
+            self._drawn = scene, settings
         view = view_of(setup.camera, self._surfaces, self.size)
         codes = target.dtype == "f1"
         target.begin(_background(setup, codes))
         for surface in self._surfaces:
             self._draw_surface(surface, view, settings, codes)
 
-    def _draw_surface(
-        self, surface: Surface, view: View, settings: Settings, codes: bool
-    ) -> None:
+    def _draw_surface(self, surface: Surface, view: View, settings: Settings, codes: bool) -> None:
         import moderngl
 
         wanted = needs(surface, view, settings, codes)

@@ -12,7 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 
 from playground import locate
 
@@ -46,7 +46,7 @@ class Source:
         return "\n".join(lines) or log.strip()
 
 
-@lru_cache(maxsize=None)
+@cache
 def _read(name: str) -> tuple[str, ...]:
     return tuple(locate.shader(name).read_text(encoding="utf-8").splitlines())
 

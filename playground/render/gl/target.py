@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from playground.errors import PlaygroundError
@@ -35,7 +34,9 @@ class Target:
         self.size, self.dtype = size, dtype
         self.samples = min(samples, context.max_samples) if samples > 1 else 1
         self._resolved = self._framebuffer(context, 0)
-        self._drawn = self._framebuffer(context, self.samples) if self.samples > 1 else self._resolved
+        self._drawn = (
+            self._framebuffer(context, self.samples) if self.samples > 1 else self._resolved
+        )
         self._context = context
 
     def _framebuffer(self, context: moderngl.Context, samples: int) -> moderngl.Framebuffer:

@@ -1,0 +1,1 @@
+"""The window: the only importer of moderngl_window and imgui_bundle."""
