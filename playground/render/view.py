@@ -9,7 +9,7 @@ Source: Cozzi & Ring, 3D Engine Design for Virtual Globes, 2011, chapter 5 (rela
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import frexp
+from math import frexp, radians, tan
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -29,6 +29,7 @@ class View:
     scale: float  # one unit of the world in units of eye-relative space; a power of two
     near: float  # world units
     far: float
+    fov: float  # degrees, vertical
     clip_from_eye: Array  # (4, 4): from eye-relative positions to clip space
 
     def relative(self, points: ArrayLike) -> Array:
@@ -46,6 +47,14 @@ class View:
         matrix[:3, 3] = self.relative(surface.origin)
         return matrix
 
+    def eye_in(self, surface: Surface) -> Array:
+        """Where the eye stands in the space of a mesh whose matrix can be inverted, (3,)."""
+        return np.asarray(np.linalg.solve(surface.linear, self.eye - surface.origin))
+
+    def pixel(self, height: int) -> float:
+        """The side of a pixel at distance 1, for a picture of ``height`` rows."""
+        return 2.0 * tan(radians(self.fov) / 2.0) / height
+
     def attenuation(self, k: tuple[float, float, float]) -> tuple[float, float, float]:
         """Attenuation factors for distances measured in eye-relative units."""
         return k[0], k[1] / self.scale, k[2] / self.scale**2
@@ -62,4 +71,4 @@ def view_of(camera: Camera, surfaces: tuple[Surface, ...], size: tuple[int, int]
     near, far = fit_depth(camera, [surface.ball for surface in surfaces])
     scale = 2.0 ** -frexp(far)[1]
     clip = clip_matrix(camera, size[0] / size[1], near * scale, far * scale)
-    return View(np.array(camera.eye), scale, near, far, clip)
+    return View(np.array(camera.eye), scale, near, far, camera.fov, clip)

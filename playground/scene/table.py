@@ -83,7 +83,7 @@ def _object_table(item: Object, folder: Path | None) -> Table:
             got=item.arrays.name or "a Mesh",
             fix="Write the mesh to a .ply or .obj file and name the file as the object's mesh.",
         )
-    entry = {"mesh": _relative(item.mesh, folder), **_values(item)}
+
     values = _values(item)
     values.pop("mesh", None)
     entry: Table = {"mesh": _relative(item.mesh, folder), **values}

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from playground.shading.vector import Array, dot, length, unit
+from playground.shading.vector import Array, dot, length_any, unit
 
 SMALLEST = float(np.finfo(np.float32).tiny)  # keeps 1/x finite in float32 as in float64
 
@@ -33,7 +33,7 @@ def toward(position: ArrayLike, light: ArrayLike) -> tuple[Array, Array]:
     Where both are the same point the vector is zero, so that the light adds nothing.
     """
     difference = np.subtract(light, position, dtype=np.float64)
-    return unit(difference), length(difference)
+    return unit(difference), length_any(difference)
 
 
 def cone(inner: ArrayLike, outer: ArrayLike) -> tuple[Array, Array]:

@@ -17,7 +17,7 @@ def dot(a: ArrayLike, b: ArrayLike) -> Array:
     return np.asarray(product[..., 0] + product[..., 1] + product[..., 2])
 
 
-def length(v: ArrayLike) -> Array:
+def length_any(v: ArrayLike) -> Array:
     """The length of vectors of any size, shape (..., 3) -> (...).
 
     Dividing by the largest component first keeps the squares from overflowing and

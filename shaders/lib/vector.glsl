@@ -11,8 +11,8 @@ vec3 unit(vec3 v) {
     return squared > 0.0 ? scaled * inversesqrt(squared) : vec3(0.0);
 }
 
-// The same for vectors whose length is known to be moderate, 1e-18 to 1e18: one
-// dot product. 1e-37 is above the smallest float32, so that zero stays zero.
+// The same for vectors whose length is known to be moderate, 1e-15 to 1e18: one dot
+// product, in which a square below 1e-38 may be lost. 1e-37 keeps zero what it is.
 // GLSL alone: float64 needs no second form.
 vec3 unit_moderate(vec3 v) {
     return v * inversesqrt(max(dot(v, v), 1e-37));

@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import sys
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from playground.errors import PlaygroundError
 
@@ -43,7 +43,7 @@ def headless() -> moderngl.Context:
         if backend is None and sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
             continue
         try:
-            more = {"backend": backend} if backend else {}
+            more: dict[str, Any] = {"backend": backend} if backend else {}
             context = moderngl.create_context(standalone=True, require=GL_VERSION, **more)
         except Exception as error:  # the loaders raise what they like
             reasons.append(f"{backend or 'default'}: {str(error).strip() or type(error).__name__}")

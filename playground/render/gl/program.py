@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from playground.render.gl.source import Source, assemble
+from playground.render.gl.source import Source, assemble, bake
 from playground.render.needs import Needs
 
 if TYPE_CHECKING:
     import moderngl
+
+    from playground.render.gl.mesh_buffers import MeshBuffers
 
 STAGES = {
     "per-fragment": ("phong.vert", "phong.frag"),
@@ -25,7 +28,7 @@ class ShaderError(RuntimeError):
 
 
 class Program:
-    """A compiled program and its uniforms; a uniform the program dropped is ignored."""
+    """A compiled program: its uniforms, and the vertex arrays made for it."""
 
     def __init__(self, context: moderngl.Context, sources: tuple[Source, Source]) -> None:
         import moderngl
@@ -35,38 +38,47 @@ class Program:
             self.gl = context.program(vertex_shader=vertex.text, fragment_shader=fragment.text)
         except moderngl.Error as error:
             raise ShaderError(explain(str(error), sources)) from None
-        self.attributes = {
-            name for name in self.gl if isinstance(self.gl[name], moderngl.Attribute)
-        }
         members = {name: self.gl[name] for name in self.gl}
+        self.attributes = {n for n, m in members.items() if isinstance(m, moderngl.Attribute)}
         self._uniforms = {n: m for n, m in members.items() if isinstance(m, moderngl.Uniform)}
+        self._arrays: dict[int, tuple[MeshBuffers, moderngl.VertexArray]] = {}
 
-    def write(self, name: str, value: Any) -> None:
-        """Upload ``value`` as float32; matrices are given as NumPy writes them, row by row."""
-        uniform = self._uniforms.get(name)
-        if uniform is not None:
-            array = np.asarray(value, dtype=np.float32)
-            if getattr(uniform, "matrix", False):  # missing from the stubs
-                array = array.swapaxes(-1, -2)
-            uniform.write(array.tobytes()[: 4 * uniform.dimension * uniform.array_length])
+    def write(self, values: Mapping[str, Any]) -> None:
+        """Upload values as float32, matrices as NumPy writes them, row by row.
 
-    def write_integer(self, name: str, value: int) -> None:
-        """Set an integer or sampler."""
-        if name in self._uniforms:
-            self._uniforms[name].value = value
+        What the program does not use is skipped.
+        """
+        for name, value in values.items():
+            uniform = self._uniforms.get(name)
+            if uniform is not None:
+                array = np.asarray(value, dtype=np.float32)
+                if getattr(uniform, "matrix", False):  # missing from the stubs
+                    array = array.T
+                uniform.write(array.tobytes())
+
+    def array(self, buffers: MeshBuffers) -> moderngl.VertexArray:
+        """The vertex array that feeds ``buffers`` to this program."""
+        if id(buffers) not in self._arrays:
+            self._arrays[id(buffers)] = buffers, buffers.array(self)
+        return self._arrays[id(buffers)][1]
+
+    def release(self) -> None:
+        """Free the GPU memory."""
+        for _, array in self._arrays.values():
+            array.release()
+        self.gl.release()
 
 
-def sources_for(needs: Needs) -> tuple[Source, Source]:
-    """The two stages for exactly these needs."""
+def sources_for(needs: Needs, constants: Mapping[str, Any] | None = None) -> tuple[Source, Source]:
+    """The two stages for exactly these needs; ``constants`` are uniforms that became literals."""
     defines: dict[str, object] = {**needs.defines, "INTERPOLATION": INTERPOLATION[needs.shading]}
-    vertex, fragment = STAGES[needs.shading]
-    return assemble(vertex, defines), assemble(fragment, defines)
+    vertex, fragment = (assemble(stage, defines) for stage in STAGES[needs.shading])
+    return bake(vertex, constants or {}), bake(fragment, constants or {})
 
 
 def explain(log: str, sources: tuple[Source, ...]) -> str:
     """A driver's log, each stage's part told in files and lines of ``shaders/``."""
-    marks = ("vertex_shader", "fragment_shader")
-    for mark, source in zip(marks, sources, strict=False):
+    for mark, source in zip(("vertex_shader", "fragment_shader"), sources, strict=True):
         if mark in log:
             return source.explain(log.split(mark, 1)[1])
-    return "\n".join(source.explain(log) for source in sources[:1])
+    return log.strip()

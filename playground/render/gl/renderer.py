@@ -8,10 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.render.gl import context as gl_context
+from playground.render.gl.clusters import frustum_planes, visible_runs
 from playground.render.gl.mesh_buffers import MeshBuffers
 from playground.render.gl.program import Program, sources_for
 from playground.render.gl.target import Target
-from playground.render.gl.uniforms import write_place, write_surface
+from playground.render.gl.uniforms import surface_uniforms, view_uniforms
 from playground.render.image import Image
 from playground.render.needs import Needs, needs
 from playground.render.renderer import check_out
@@ -25,9 +26,16 @@ from playground.shading.display import display_colour
 if TYPE_CHECKING:
     import moderngl
 
+STEADY = 8  # frames with the same scene and settings before their values become constants
+
 
 class GLRenderer:
-    """Draws setups of one size; keeps programs, meshes and targets between them."""
+    """Draws setups of one size; keeps programs, meshes and targets between them.
+
+    While sliders move, frames share one program and only uniforms change. A scene that
+    has stood still for `STEADY` frames, with the camera free to move, gets programs in
+    which its colours are constants.
+    """
 
     name = "gl"
 
@@ -35,67 +43,90 @@ class GLRenderer:
         self.size = size
         self._context = context or gl_context.headless()
         self._programs: dict[Needs, Program] = {}
+        self._baked: dict[tuple[Needs, int], Program] = {}
         self._meshes: dict[tuple[int, bool, bool], tuple[object, MeshBuffers]] = {}
         self._textures: dict[int, tuple[object, moderngl.Texture]] = {}
         self._targets: dict[tuple[str, int], Target] = {}
         self._drawn: tuple[Scene | None, Settings | None] = (None, None)
         self._surfaces: tuple[Surface, ...] = ()
+        self._frames = 0
 
     def render(self, setup: Setup, out: NDArray[Any] | None = None) -> Image | NDArray[Any]:
         """Draw ``setup``; see `playground.render.renderer.Renderer.render`."""
         if out is None:
             pixels = np.empty((self.size[1], self.size[0], 4), dtype=np.float32)
-            self._draw_and_read(setup, "f4", pixels)
+            self._draw_and_read(setup, pixels)
             colour = np.ascontiguousarray(pixels[..., :3])
             return Image(colour, pixels[..., 3].copy(), setup, self.name)
         check_out(out, self.size)
         if out.shape[2] == 4 and out.flags.c_contiguous:
-            self._draw_and_read(setup, "f1" if out.dtype == np.uint8 else "f4", out)
+            self._draw_and_read(setup, out)
         else:
             whole = np.empty((self.size[1], self.size[0], 4), dtype=out.dtype)
-            self._draw_and_read(setup, "f1" if out.dtype == np.uint8 else "f4", whole)
+            self._draw_and_read(setup, whole)
             out[...] = whole[..., : out.shape[2]]
         return out
 
-    def _draw_and_read(self, setup: Setup, dtype: str, out: NDArray[Any]) -> None:
-        target = self._target(dtype, setup.settings.samples)
+    def _draw_and_read(self, setup: Setup, out: NDArray[Any]) -> None:
+        target = self._target("f1" if out.dtype == np.uint8 else "f4", setup.settings.samples)
         self.draw(setup, target)
         target.read(out)
 
     def draw(self, setup: Setup, target: Target) -> None:
         """Draw ``setup`` into ``target`` and leave it on the GPU."""
-        settings = setup.settings
-        scene, last = setup.scene, self._drawn
-        if last[0] is not scene or last[1] is not settings:  # else only the camera moved
-            self._surfaces = surfaces(scene, settings.weights)
-            self._drawn = scene, settings
+        self._notice(setup.scene, setup.settings)
         view = view_of(setup.camera, self._surfaces, self.size)
-        codes = target.dtype == "f1"
-        target.begin(_background(setup, codes))
-        for surface in self._surfaces:
-            self._draw_surface(surface, view, settings, codes)
+        target.begin(_background(setup, target.dtype == "f1"))
+        for number, surface in enumerate(self._surfaces):
+            wanted = needs(surface, view, setup.settings, target.dtype == "f1")
+            program = self._program(wanted, number, surface, setup.settings)
+            self._draw_surface(surface, view, wanted, program)
 
-    def _draw_surface(self, surface: Surface, view: View, settings: Settings, codes: bool) -> None:
+    def _notice(self, scene: Scene, settings: Settings) -> None:
+        """Prepare the surfaces anew unless only the camera has moved."""
+        if self._drawn[0] is scene and self._drawn[1] is settings:
+            self._frames += 1
+            return
+        self._surfaces = surfaces(scene, settings.weights)
+        self._drawn, self._frames = (scene, settings), 0
+        for program in self._baked.values():
+            program.release()
+        self._baked.clear()
+
+    def _draw_surface(self, surface: Surface, view: View, wanted: Needs, program: Program) -> None:
         import moderngl
 
-        wanted = needs(surface, view, settings, codes)
-        program = self._program(wanted)
-        write_place(program, surface, view)
-        write_surface(program, surface, view, settings)
+        values = view_uniforms(surface, view)
+        program.write(values)
         if wanted.texture and surface.texels is not None:
             self._texture(surface.texels).use(0)
-            program.write_integer("diffuse_texels", 0)
 
         # The picture is drawn upside down, which turns every winding around.
-        self._context.front_face = "ccw" if surface.mirrored else "cw"
         cull = not view.two_sided(surface)
+        self._context.front_face = "ccw" if surface.mirrored else "cw"
         self._context.enable_only(moderngl.DEPTH_TEST | (moderngl.CULL_FACE if cull else 0))
-        self._mesh(surface, wanted).array(program).render()
+        buffers = self._mesh(surface, wanted)
+        array = program.array(buffers)
+        if buffers.clusters is None or surface.stretched:
+            array.render()
+            return
+        planes = frustum_planes(values["clip_from_object"])
+        eye, pixel = view.eye_in(surface), view.pixel(self.size[1])
+        for first, count in visible_runs(buffers.clusters, eye, planes, pixel, cull):
+            array.render(vertices=3 * count, first=3 * first)
 
-    def _program(self, wanted: Needs) -> Program:
-        if wanted not in self._programs:
-            self._programs[wanted] = Program(self._context, sources_for(wanted))
-        return self._programs[wanted]
+    def _program(self, wanted: Needs, number: int, surface: Surface, settings: Settings) -> Program:
+        """The program for a surface, its colours uploaded or, once they stay, built in."""
+        values = surface_uniforms(surface, settings)
+        if self._frames < STEADY:
+            if wanted not in self._programs:
+                self._programs[wanted] = Program(self._context, sources_for(wanted))
+            self._programs[wanted].write(values)
+            return self._programs[wanted]
+        key = (wanted, number)
+        if key not in self._baked:
+            self._baked[key] = Program(self._context, sources_for(wanted, values))
+        return self._baked[key]
 
     def _mesh(self, surface: Surface, wanted: Needs) -> MeshBuffers:
         flat = wanted.shading == "flat"
@@ -120,15 +151,16 @@ class GLRenderer:
 
     def close(self) -> None:
         """Free the GPU memory."""
+        for program in (*self._baked.values(), *self._programs.values()):
+            program.release()
         for _, buffers in self._meshes.values():
             buffers.release()
         for _, texture in self._textures.values():
             texture.release()
         for target in self._targets.values():
             target.release()
-        for program in self._programs.values():
-            program.gl.release()
-        self._meshes, self._textures, self._targets, self._programs = {}, {}, {}, {}
+        self._baked, self._programs, self._drawn = {}, {}, (None, None)
+        self._meshes, self._textures, self._targets = {}, {}, {}
 
     def __enter__(self) -> GLRenderer:
         return self

@@ -11,8 +11,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from playground import locate
 
@@ -95,3 +99,30 @@ def _expand(
         _expand(wanted, lines, origin, (*above, name))
         emit("#endif", number)
         emit(f"// from: {name}", number)
+
+
+_UNIFORM = re.compile(r"^uniform\s+(float|vec2|vec3)\s+(\w+)(\[\w+\])?;$")
+
+
+def bake(source: Source, constants: Mapping[str, Any]) -> Source:
+    """``source`` with the named uniforms turned into constants.
+
+    A driver folds constants into the code; llvmpipe loads every component of a uniform
+    anew for every 8 pixels. Worth a compilation for a scene that stays as it is.
+    """
+    lines = source.text.splitlines()
+    for i, line in enumerate(lines):
+        found = _UNIFORM.match(line)
+        if found and found.group(2) in constants:
+            kind, name, array = found.groups()
+            value = np.asarray(constants[name], dtype=np.float32)
+            items = [_literal(kind, item) for item in (value if array else value[None])]
+            literal = f"{kind}[{len(items)}]({', '.join(items)})" if array else items[0]
+            lines[i] = f"const {kind} {name}{array or ''} = {literal};"
+    return replace(source, text="\n".join(lines) + "\n")
+
+
+def _literal(kind: str, value: NDArray[np.float32]) -> str:
+    """A float32 or vector of them, to the bit: 9 digits tell any two apart."""
+    digits = [f"{float(x):.8e}" for x in value.reshape(-1)]
+    return digits[0] if kind == "float" else f"{kind}({', '.join(digits)})"

@@ -1,40 +1,49 @@
-"""Uniforms: what changes when a light, a material, a slider or the camera moves."""
+"""Uniforms, sorted by what changes them: the camera, or the scene and its sliders."""
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
-from playground.render.gl.program import Program
 from playground.render.surface import Surface
 from playground.render.view import View
 from playground.scene.settings import Settings
 
 
-def write_place(program: Program, surface: Surface, view: View) -> None:
-    """Where the surface stands: ``interface/transform.glsl``."""
+def view_uniforms(surface: Surface, view: View) -> dict[str, Any]:
+    """What moves with the camera: ``interface/transform.glsl``, and where lights stand."""
     eye_from_object = view.eye_from_object(surface)
     clip_from_object = view.clip_from_eye @ eye_from_object
     clip_from_object[1] *= -1.0  # drawn upside down: row 0 of the target is the top row
-    program.write("clip_from_object", clip_from_object)
-    program.write("eye_from_object", eye_from_object[:3])
-    program.write("normal_from_object", surface.normal_from_object)
+    values: dict[str, Any] = {
+        "clip_from_object": clip_from_object,
+        "eye_from_object": eye_from_object[:3],
+        "normal_from_object": surface.normal_from_object,
+    }
+    for kind in ("point", "spot"):
+        lights = [light for light in surface.lights if light.kind == kind]
+        if lights:
+            positions = np.array([light.position for light in lights])
+            values[f"{kind}_position"] = view.relative(positions)
+            values[f"{kind}_attenuation"] = [view.attenuation(x.attenuation) for x in lights]
+    return values
 
 
-def write_surface(program: Program, surface: Surface, view: View, settings: Settings) -> None:
-    """Material and lights: ``interface/surface.glsl`` and ``interface/display.glsl``."""
-    program.write("constant_terms", surface.constant_terms)
-    program.write("shininess", surface.shininess)
-    program.write("exposure", settings.exposure)
+def surface_uniforms(surface: Surface, settings: Settings) -> dict[str, Any]:
+    """What a slider moves: ``interface/surface.glsl`` and ``interface/display.glsl``."""
+    values: dict[str, Any] = {
+        "constant_terms": surface.constant_terms,
+        "shininess": surface.shininess,
+        "exposure": settings.exposure,
+    }
     for kind in {light.kind for light in surface.lights}:
         lights = [light for light in surface.lights if light.kind == kind]
-        program.write(f"{kind}_diffuse", [light.diffuse for light in lights])
-        program.write(f"{kind}_specular", [light.specular for light in lights])
+        values[f"{kind}_diffuse"] = np.array([light.diffuse for light in lights])
+        values[f"{kind}_specular"] = np.array([light.specular for light in lights])
         if kind == "directional":
-            program.write(f"{kind}_to_light", [light.to_light for light in lights])
-            continue
-        positions = np.array([light.position for light in lights])
-        program.write(f"{kind}_position", view.relative(positions))
-        program.write(f"{kind}_attenuation", [view.attenuation(x.attenuation) for x in lights])
+            values["directional_to_light"] = np.array([light.to_light for light in lights])
         if kind == "spot":
-            program.write("spot_axis", [light.axis for light in lights])
-            program.write("spot_edge_width", [light.edge_width for light in lights])
+            values["spot_axis"] = np.array([light.axis for light in lights])
+            values["spot_edge_width"] = np.array([light.edge_width for light in lights])
+    return values

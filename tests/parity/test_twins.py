@@ -1,0 +1,70 @@
+"""Every formula exists twice, under one name, with one list of arguments."""
+
+import inspect
+from importlib import import_module
+
+import pytest
+
+from playground import locate
+from playground.render.gl.probe import signatures
+
+STEMS = sorted(path.stem for path in locate.shader("lib").glob("*.glsl"))
+
+# Functions with no twin, each with its reason.
+NUMPY_ALONE = {
+    "vector": {
+        "dot": "a GLSL built-in",
+        "normal_matrix": "needed once per object, computed on the CPU",
+    },
+    "light": {"cone": "needed once per light, computed on the CPU"},
+    "display": {
+        "display_colour": "present.glsl strings the same steps together, specialised",
+        "code8": "the 8-bit target does it",
+    },
+}
+GLSL_ALONE = {
+    "vector": {"unit_moderate": "float64 needs no second form"},
+    "power": {"log2_near_one": "NumPy has log1p"},
+}
+
+
+def _module(stem):
+    return import_module(f"playground.shading.{stem}")
+
+
+def _functions(stem):
+    module = _module(stem)
+    return {
+        name: f
+        for name, f in inspect.getmembers(module, inspect.isfunction)
+        if f.__module__ == module.__name__ and not name.startswith("_")
+    }
+
+
+def test_every_module_of_formulas_has_a_twin_file():
+    import playground.shading
+
+    assert sorted(playground.shading.__all__) == STEMS
+
+
+@pytest.mark.parametrize("stem", STEMS)
+def test_the_same_functions_in_both_languages(stem):
+    numpy_names = set(_functions(stem)) - set(NUMPY_ALONE.get(stem, {}))
+    glsl_names = set(signatures(stem)) - set(GLSL_ALONE.get(stem, {}))
+    assert numpy_names == glsl_names
+
+
+@pytest.mark.parametrize("stem", STEMS)
+def test_the_same_arguments_in_the_same_order(stem):
+    glsl = signatures(stem)
+    for name, function in _functions(stem).items():
+        if name in glsl:
+            theirs = [label for qualifier, _, label in glsl[name].parameters if qualifier != "out"]
+            assert list(inspect.signature(function).parameters) == theirs, name
+
+
+@pytest.mark.parametrize("stem", STEMS)
+def test_each_names_the_other(stem):
+    glsl = locate.shader(f"lib/{stem}.glsl").read_text(encoding="utf-8")
+    assert f"Twin: playground/shading/{stem}.py" in glsl
+    assert f"Twin: shaders/lib/{stem}.glsl" in _module(stem).__doc__
