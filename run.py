@@ -168,10 +168,10 @@ def install(extra: str) -> None:
     """Install the project by pip, which follows its own settings, as a link to this folder."""
     say("installing the packages into .venv (about 200 MB, once) ...")
     project = f".[{extra}]" if extra else "."
-    pip = [str(PYTHON), "-m", "pip", "--disable-pip-version-check"]
+    pip = [str(PYTHON), "-m", "pip", "--quiet", "--disable-pip-version-check"]
     reason = failure([*pip, "install", "-e", project])
     if reason:
-        raise Stop(f"pip could not install the packages. Is there a network? pip said:\n{reason}")
+        raise Stop(f"pip could not install the packages. Is there a network? It said:\n{reason}")
 
 
 def failure(command: list[str]) -> str:
@@ -182,8 +182,8 @@ def failure(command: list[str]) -> str:
         return str(error)
     if done.returncode == 0:
         return ""
-    lines = done.stdout.decode(errors="replace").strip().splitlines()[-12:]
-    return "\n".join(f"    {line}" for line in lines) or f"    {command[0]} failed"
+    lines = done.stdout.decode(errors="replace").strip().splitlines()[-6:]
+    return "\n".join(f"    {line[:200]}" for line in lines) or f"    {command[0]} failed"
 
 
 @contextmanager

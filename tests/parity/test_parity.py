@@ -107,6 +107,18 @@ def test_power_below_one(gl, rng, exponent):
     assert_close(got, want, power_bound(x, exponent, want) + 2 * want * rounded)
 
 
+@pytest.mark.parametrize("n", [1, 2, 3, 5, 10, 20, 31, 32])
+def test_power_below_one_whole(gl, rng, n):
+    gap = f32(np.concatenate([10.0 ** rng.uniform(-12.0, 0.0, N), rng.uniform(0, 2, N), [0, 1, 4]]))
+    got = probe.call("power", "power_below_one_whole", gap, constant=n)
+    want = shading.power.power_below_one(gap, n)
+    # Squaring doubles a relative error and adds one rounding: n − 1 in all, and 3 at the end.
+    # The second order of what 1 − gap lost, (n u/x)²/2, counts where x is small and the value nil.
+    x = np.maximum(1.0 - gap, 1e-30)
+    second = np.where(gap < 1.0, np.minimum((n * U / x) ** 2, 1.0), 0.0)
+    assert_close(got, want, want * (U * (n + 3) + second) + 1.2e-38)
+
+
 @pytest.mark.parametrize("shininess", [1.0, 5.0, 80.0, 1e3, 1e4, 1e5, 1e6])
 def test_lobe_is_accurate_at_any_shininess(gl, rng, shininess):
     axis = directions(rng)

@@ -24,7 +24,10 @@ NUMPY_ALONE = {
 }
 GLSL_ALONE = {
     "vector": {"unit_moderate": "float64 needs no second form"},
-    "power": {"log2_near_one": "NumPy has log1p"},
+    "power": {
+        "log2_near_one": "NumPy has log1p",
+        "power_below_one_whole": "a faster way to power_below_one, tested against that",
+    },
 }
 
 

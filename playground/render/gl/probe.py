@@ -44,7 +44,11 @@ def signatures(library: str) -> dict[str, Signature]:
 
 
 def call(
-    library: str, name: str, *arguments: ArrayLike, texels: NDArray[np.float32] | None = None
+    library: str,
+    name: str,
+    *arguments: ArrayLike,
+    texels: NDArray[np.float32] | None = None,
+    constant: int = 0,
 ) -> NDArray[np.float32]:
     """The result of GLSL function ``name`` for each row of the arguments, float32.
 
@@ -56,6 +60,8 @@ def call(
         One per ``in`` parameter; single values are repeated.
     texels : (H, W, 3) float32, optional
         What a ``sampler2D`` parameter reads.
+    constant : int, optional
+        What a ``const int`` parameter is compiled with.
 
     Returns
     -------
@@ -70,7 +76,7 @@ def call(
     outputs += [
         (label, kind) for qualifier, kind, label in signature.parameters if qualifier == "out"
     ]
-    source = assemble(f"lib/{library}.glsl", tail=_main(signature, outputs))
+    source = assemble(f"lib/{library}.glsl", tail=_main(signature, outputs, constant))
     context = headless()
     varyings = tuple(f"out_{label}" for label, _ in outputs)
     try:
@@ -97,12 +103,14 @@ def call(
     return result[:, 0] if widths == 1 else result
 
 
-def _main(signature: Signature, outputs: list[tuple[str, str]]) -> str:
+def _main(signature: Signature, outputs: list[tuple[str, str]], constant: int) -> str:
     lines, passed = [], []
     for qualifier, kind, label in signature.parameters:
         if kind.startswith("sampler"):
             lines.append(f"uniform {kind} in_{label};")
             passed.append(f"in_{label}")
+        elif qualifier == "const":
+            passed.append(str(constant))
         elif qualifier == "in":
             lines.append(f"in {kind} in_{label};")
             passed.append(f"in_{label}")

@@ -20,6 +20,7 @@ STAGES = {
     "per-vertex": ("gouraud.vert", "colour.frag"),
     "flat": ("flat.vert", "colour.frag"),
 }
+LARGEST_WHOLE = 32  # exponents up to here are cheaper by squaring, and off by 2e-6 at most
 INTERPOLATION = {"per-fragment": "smooth", "per-vertex": "smooth", "flat": "flat"}
 
 
@@ -72,6 +73,8 @@ class Program:
 def sources_for(needs: Needs, constants: Mapping[str, Any] | None = None) -> tuple[Source, Source]:
     """The two stages for exactly these needs; ``constants`` are uniforms that became literals."""
     defines: dict[str, object] = {**needs.defines, "INTERPOLATION": INTERPOLATION[needs.shading]}
+    if constants and float(constants["shininess"]) in range(1, LARGEST_WHOLE + 1):
+        defines["WHOLE_EXPONENT"] = int(constants["shininess"])
     vertex, fragment = (assemble(stage, defines) for stage in STAGES[needs.shading])
     return bake(vertex, constants or {}), bake(fragment, constants or {})
 
