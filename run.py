@@ -166,7 +166,7 @@ def remedy() -> str:
 
 def install(extra: str) -> None:
     """Install the project by pip, which follows its own settings, as a link to this folder."""
-    say("installing the packages into .venv (about 200 MB, once) ...")
+    say("installing the packages into .venv (about 250 MB, once) ...")
     project = f".[{extra}]" if extra else "."
     pip = [str(PYTHON), "-m", "pip", "--quiet", "--disable-pip-version-check"]
     reason = failure([*pip, "install", "-e", project])

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from playground.scene.setup import Setup
 
 PROGRAM = "playground"
+DEFAULT_SIZE = (640, 480)
 COMMANDS = ("render", "compare", "explain", "measure", "doctor")
 
 
@@ -152,16 +153,21 @@ def _window(options: argparse.Namespace) -> int:
 
 
 def _render(options: argparse.Namespace) -> int:
+    from playground.files import write_whole
     from playground.render.image_file import check_suffix, png_bytes
 
-    check_suffix(options.output)
+    suffix = check_suffix(options.output)
     if options.sheet is None:
-        image = _picture(options, _setup(options))
-        image.save(options.output)
-        _say(f"{options.output}  {image.size[0]}x{image.size[1]}  {image.renderer}")
+        if suffix == ".png":
+            renderer = _save_png(options, _setup(options))
+        else:
+            image = _picture(options, _setup(options))
+            image.save(options.output)
+            renderer = image.renderer
+        width, height = options.size or DEFAULT_SIZE
+        _say(f"{options.output}  {width}x{height}  {renderer}")
         return 0
     from playground.explain.sheet import make_sheet
-    from playground.files import write_whole
 
     if options.output.suffix.lower() != ".png":
         raise PlaygroundError("a sheet is saved as .png", got=str(options.output))
@@ -172,11 +178,27 @@ def _render(options: argparse.Namespace) -> int:
     return 0
 
 
+def _save_png(options: argparse.Namespace, setup: Setup) -> str:
+    """Write the 8-bit picture without making one of floats first; returns the renderer's name."""
+    import numpy as np
+
+    from playground.files import write_whole
+    from playground.render.image_file import png_bytes
+    from playground.render.renderer import check_method, open_renderer
+
+    check_method(options.method)
+    with open_renderer(options.size or DEFAULT_SIZE, options.renderer) as renderer:
+        codes = np.empty((renderer.size[1], renderer.size[0], 4), dtype=np.uint8)
+        renderer.render(setup, out=codes)
+        write_whole(options.output, png_bytes(codes[..., :3], setup))
+        return renderer.name
+
+
 def _picture(options: argparse.Namespace, setup: Setup) -> Image:
     from playground.render.renderer import render
 
     method = getattr(options, "method", "raster")
-    return render(setup, options.size or (640, 480), options.renderer, method)
+    return render(setup, options.size or DEFAULT_SIZE, options.renderer, method)
 
 
 def _compare(options: argparse.Namespace) -> int:
@@ -200,7 +222,7 @@ def _picture_or_setup(options: argparse.Namespace, name: str) -> Image:
 def _explain(options: argparse.Namespace) -> int:
     from playground.explain.pixel import explain
 
-    why = explain(_setup(options), tuple(options.pixel), options.size or (640, 480))
+    why = explain(_setup(options), tuple(options.pixel), options.size or DEFAULT_SIZE)
     if options.json:
         _print_json(why.to_dict())
     else:

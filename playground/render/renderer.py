@@ -105,16 +105,21 @@ def render(
         raise PlaygroundError(
             "render takes a setup", got=type(setup).__name__, fix='Make one with load("teapot").'
         )
-    if method not in METHODS:
-        raise unknown_name("method", method, METHODS)
-    if method != "raster":
-        raise PlaygroundError(
-            "this method is not built yet", got=method, allowed="raster", fix="Use method='raster'."
-        )
+    check_method(method)
     with open_renderer(size, renderer) as opened:
         image = opened.render(setup)
     assert isinstance(image, Image)
     return image
+
+
+def check_method(method: str) -> None:
+    """Raise an error for a method that is unknown or not built yet."""
+    if method not in METHODS:
+        raise unknown_name("method", method, METHODS)
+    if method != "raster":
+        raise PlaygroundError(
+            "this method is not built yet", got=method, allowed="raster", fix="Use raster."
+        )
 
 
 def check_size(size: Any) -> tuple[int, int]:
