@@ -48,15 +48,26 @@ def headless() -> moderngl.Context:
         except Exception as error:  # the loaders raise what they like
             reasons.append(f"{backend or 'default'}: {str(error).strip() or type(error).__name__}")
             continue
-        # A surfaceless context has no framebuffer, and transform feedback without one
-        # returns zeros in silence: keep a small one bound.
-        context.simple_framebuffer((4, 4)).use()
+        rest(context)
         return context
     raise NoDriverError(
         "no GL driver was found",
         got="; ".join(reasons),
         fix=f"On Debian or Ubuntu: {INSTALL_DRIVER}. Or use --renderer numpy, which needs none.",
     )
+
+
+def rest(context: moderngl.Context) -> None:
+    """Bind a small framebuffer of our own.
+
+    A surfaceless context has none, and transform feedback without one returns zeros in
+    silence; and a framebuffer that is released while it is bound leaves an error behind.
+    """
+    if context.extra is None:
+        context.extra = {}
+    if "idle" not in context.extra:
+        context.extra["idle"] = context.simple_framebuffer((4, 4))
+    context.extra["idle"].use()
 
 
 def of_window() -> moderngl.Context:

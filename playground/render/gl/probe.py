@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from playground import locate
-from playground.render.gl.context import headless
+from playground.render.gl.context import headless, rest
 from playground.render.gl.program import ShaderError
 from playground.render.gl.source import assemble
 
@@ -97,7 +97,7 @@ def call(
     widths = sum(WIDTH[kind] for _, kind in outputs)
     rows = len(columns[0])
     buffer = context.buffer(reserve=4 * rows * widths)
-    context.simple_framebuffer((4, 4)).use()
+    rest(context)
     context.vertex_array(program, content).transform(buffer, moderngl.POINTS, rows)
     result = np.frombuffer(buffer.read(), np.float32).reshape(rows, widths)
     return result[:, 0] if widths == 1 else result

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import NDArray
 
 from playground.errors import PlaygroundError
+from playground.render.gl.context import rest
 
 if TYPE_CHECKING:
     import moderngl
@@ -58,6 +59,7 @@ class Target:
 
     def release(self) -> None:
         """Free the GPU memory."""
+        rest(self._context)
         for framebuffer in {id(f): f for f in (self._drawn, self._resolved)}.values():
             for attachment in (*framebuffer.color_attachments, framebuffer.depth_attachment):
                 attachment.release()
