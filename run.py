@@ -5,9 +5,8 @@
     python3 run.py ARGS...        the command "playground ARGS..."
     python3 run.py test ARGS...   the whole check: ruff, mypy and "pytest ARGS..."
 
-The packages go into the folder .venv beside this file. They are installed at the first
-start and again when pyproject.toml has changed; any other start only looks at the stamp
-that the last installation left in .venv. Removing .venv removes everything.
+The packages go into the folder .venv beside this file, at the first start and whenever
+pyproject.toml has changed; any other start only looks at the stamp that was left there.
 """
 
 import hashlib
@@ -22,7 +21,7 @@ from pathlib import Path
 from subprocess import DEVNULL, PIPE, STDOUT
 
 OLDEST = (3, 11)
-if sys.version_info < OLDEST:  # above the first annotation that an older Python cannot evaluate
+if sys.version_info < OLDEST:  # before the annotations, which an older one cannot evaluate
     running = ".".join(map(str, sys.version_info[:3]))
     sys.stderr.write(f"run.py: Python 3.11 or newer is needed; this is {running}.\n")
     sys.exit(2)
@@ -33,7 +32,7 @@ PYTHON = ENVIRONMENT / ("Scripts/python.exe" if os.name == "nt" else "bin/python
 STAMP = ENVIRONMENT / "run.stamp"
 UNFINISHED = "unfinished"
 VENV_PACKAGE = f"python3.{sys.version_info.minor}-venv"
-CHECKS = (("ruff", "check", "."), ("ruff", "format", "--check", "."), ("mypy",), ("pytest",))
+CHECKS = (["ruff", "check", "."], ["ruff", "format", "--check", "."], ["mypy"])
 
 
 class Stop(Exception):  # noqa: N818, it is a decision rather than an error
@@ -65,11 +64,10 @@ def start(arguments: list[str]) -> int:
 def check(arguments: list[str]) -> int:
     """Run all checks, also after one has failed; status 1 if any has."""
     failed = []
-    for words in CHECKS:
-        command = [*words, *arguments] if words == ("pytest",) else [*words]
+    for command in (*CHECKS, ["pytest", *arguments]):
         say(f"--- {' '.join(command)}")
         if subprocess.call([str(PYTHON), "-m", *command], cwd=ROOT) != 0:
-            failed.append(" ".join(words))
+            failed.append(command[0])
     say(f"--- failed: {', '.join(failed)}" if failed else "--- all checks passed")
     return int(bool(failed))
 
@@ -99,17 +97,13 @@ def fingerprint(extra: str) -> str:
 
 def up_to_date(extra: str) -> bool:
     """Whether .venv holds all of the project and the extra; more does not harm."""
-    return PYTHON.exists() and stamp() in {fingerprint(extra), fingerprint("test")}
-
-
-def stamp() -> str:
-    """What the last installation left in .venv."""
-    return STAMP.read_text() if STAMP.exists() else ""
+    enough = (fingerprint(extra), fingerprint("test"))
+    return PYTHON.exists() and STAMP.exists() and STAMP.read_text() in enough
 
 
 def usable() -> bool:
     """Whether pip can go on in .venv: no installation was cut short, and the Python is this one."""
-    if stamp() == UNFINISHED:
+    if STAMP.exists() and STAMP.read_text() == UNFINISHED:
         return False
     probe = f"import sys, pip; sys.exit(sys.version_info[:2] != {sys.version_info[:2]})"
     return not failure([str(PYTHON), "-c", probe])

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from playground.render.image import Image
     from playground.scene.setup import Setup
 
+    Commands = argparse._SubParsersAction[argparse.ArgumentParser]
+
 PROGRAM = "playground"
 DEFAULT_SIZE = (640, 480)
 COMMANDS = ("render", "compare", "explain", "measure", "doctor")
@@ -51,11 +53,19 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=_version())
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
+    for add in (_add_window, _add_render, _add_compare, _add_explain, _add_measure, _add_doctor):
+        add(commands)
+    return parser
+
+
+def _add_window(commands: Commands) -> None:
     window = commands.add_parser("window", help="the window; without a display, a picture")
     window.add_argument("setup", nargs="?", default="teapot", metavar="SETUP")
     _setup_options(window)
     window.set_defaults(run=_window)
 
+
+def _add_render(commands: Commands) -> None:
     render = commands.add_parser("render", help="a setup as a picture")
     render.add_argument("setup", metavar="SETUP")
     render.add_argument("-o", "--output", type=Path, required=True, help=".png, .exr or .npy")
@@ -64,17 +74,21 @@ def _parser() -> argparse.ArgumentParser:
     _picture_options(render)
     render.set_defaults(run=_render)
 
+
+def _add_compare(commands: Commands) -> None:
     compare = commands.add_parser("compare", help="how two pictures differ")
     compare.add_argument("a", metavar="A", help="a picture or a setup: the reference")
     compare.add_argument("b", metavar="B", help="a picture or a setup")
     compare.add_argument("-o", "--output", type=Path, help="the difference in false colours")
     compare.add_argument("--json", action="store_true", help="one JSON document, nothing else")
     compare.add_argument(
-        "--tolerance", type=float, help="status 1 if the largest difference exceeds it"
+        "--tolerance", type=float, help="status 1 if the largest difference exceeds"
     )
     _picture_options(compare)
     compare.set_defaults(run=_compare)
 
+
+def _add_explain(commands: Commands) -> None:
     explain = commands.add_parser("explain", help="why a pixel has its colour")
     explain.add_argument("setup", metavar="SETUP")
     explain.add_argument("--pixel", nargs=2, type=int, required=True, metavar=("X", "Y"))
@@ -83,19 +97,22 @@ def _parser() -> argparse.ArgumentParser:
     _picture_options(explain)
     explain.set_defaults(run=_explain)
 
+
+def _add_measure(commands: Commands) -> None:
     measure = commands.add_parser("measure", help="speed against error")
     measure.add_argument(
-        "experiments", nargs="*", metavar="EXPERIMENT", help="frames (all if none)"
+        "experiments", nargs="*", metavar="EXPERIMENT", help="frames, first-image (all if none)"
     )
     measure.add_argument("-o", "--output", type=Path, help="folder for the tables")
     measure.add_argument("--rounds", type=int, default=9, help="interleaved rounds")
     measure.add_argument("--json", action="store_true", help="one JSON document, nothing else")
     measure.set_defaults(run=_measure)
 
+
+def _add_doctor(commands: Commands) -> None:
     doctor = commands.add_parser("doctor", help="what works here, what is missing, how to get it")
     doctor.add_argument("--json", action="store_true", help="one JSON document, nothing else")
     doctor.set_defaults(run=_doctor)
-    return parser
 
 
 def _picture_options(parser: argparse.ArgumentParser) -> None:

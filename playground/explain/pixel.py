@@ -17,9 +17,10 @@ from playground.errors import PlaygroundError
 from playground.render.needs import needs
 from playground.render.numpy_renderer import eye_normals, eye_positions, visibility
 from playground.render.renderer import check_size
-from playground.render.shade import contribution
+from playground.render.shade import Contribution, contribution
 from playground.render.surface import Surface, surfaces
 from playground.render.view import View, view_of
+from playground.scene.light import Light
 from playground.scene.settings import Settings, Shading
 from playground.scene.setup import Setup
 from playground.shading.display import code8, display_colour
@@ -200,41 +201,46 @@ def _shaded_point(
 ) -> ShadedPoint:
     material = setup.scene.objects[number].material
     weights = setup.settings.weights
-    to_eye = unit(-position)
     lights = []
-    for light, prepared in zip(setup.scene.lights, surface.lights, strict=True):
+    for i, prepared in enumerate(surface.lights):
         added = contribution(prepared, surface, view, setup.settings, position, normal)
-        mirrored = reflection(normal, added.to_light)
-        r_dot_v = float(np.dot(mirrored, to_eye))
-        lights.append(
-            LightAtPoint(
-                kind=prepared.kind,
-                to_light=added.to_light,
-                reflection=mirrored,
-                n_dot_l=float(np.dot(normal, added.to_light)),
-                r_dot_v=r_dot_v,
-                rho=degrees(acos(min(max(r_dot_v, -1.0), 1.0))),
-                strength=float(added.strength),
-                diffuse_factor=float(added.diffuse_factor),
-                specular_factor=float(added.specular_factor),
-                light_diffuse=np.array(light.diffuse),
-                light_specular=np.array(light.specular),
-                light_ambient=np.array(light.ambient),
-                diffuse=added.diffuse * texel,
-                specular=added.specular,
-                ambient=weights["ambient"] * ambient_term(light.ambient, material.ambient),
-            )
-        )
+        light = setup.scene.lights[i]
+        ambient = weights["ambient"] * ambient_term(light.ambient, material.ambient)
+        lights.append(_light_at_point(light, added, normal, unit(-position), texel, ambient))
     emissive = weights["emissive"] * emissive_term(material.emissive)
     terms = [x.diffuse + x.specular + x.ambient for x in lights]
     return ShadedPoint(
         position=view.world(position),
         normal=normal,
-        to_eye=to_eye,
+        to_eye=unit(-position),
         lights=tuple(lights),
         material_diffuse=component_filter(material.diffuse, texel),
         emissive=emissive,
         colour=np.sum([emissive, *terms], axis=0),
+    )
+
+
+def _light_at_point(
+    light: Light, added: Contribution, normal: Array, to_eye: Array, texel: Array, ambient: Array
+) -> LightAtPoint:
+    mirrored = reflection(normal, added.to_light)
+    r_dot_v = float(np.dot(mirrored, to_eye))
+    return LightAtPoint(
+        kind=light.kind,
+        to_light=added.to_light,
+        reflection=mirrored,
+        n_dot_l=float(np.dot(normal, added.to_light)),
+        r_dot_v=r_dot_v,
+        rho=degrees(acos(min(max(r_dot_v, -1.0), 1.0))),
+        strength=float(added.strength),
+        diffuse_factor=float(added.diffuse_factor),
+        specular_factor=float(added.specular_factor),
+        light_diffuse=np.array(light.diffuse),
+        light_specular=np.array(light.specular),
+        light_ambient=np.array(light.ambient),
+        diffuse=added.diffuse * texel,
+        specular=added.specular,
+        ambient=ambient,
     )
 
 

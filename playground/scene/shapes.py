@@ -41,7 +41,7 @@ SHAPES: dict[str, Shape] = {
     shape.name: shape
     for shape in (
         Shape("sphere", uv_sphere, 32, 3, 512, "segments around; half as many rings"),
-        Shape("icosphere", icosphere, 8, 1, 128, "parts of each icosahedron edge"),
+        Shape("icosphere", icosphere, 8, 1, 256, "parts of each icosahedron edge"),
         Shape("torus", torus, 32, 3, 512, "segments around; half as many around the tube"),
         Shape("quad", quad, 1, 1, 512, "cells along each edge"),
         Shape("grid", grid, 16, 1, 512, "cells along each edge"),

@@ -91,15 +91,20 @@ def call(
         for column, label in zip(columns, names, strict=True)
         if label in program
     ]
+    textures = []
     if texels is not None:
         size = (texels.shape[1], texels.shape[0])
-        context.texture(size, 3, np.ascontiguousarray(texels).tobytes(), dtype="f4").use(0)
+        textures = [context.texture(size, 3, np.ascontiguousarray(texels).tobytes(), dtype="f4")]
+        textures[0].use(0)
     widths = sum(WIDTH[kind] for _, kind in outputs)
     rows = len(columns[0])
     buffer = context.buffer(reserve=4 * rows * widths)
     rest(context)
-    context.vertex_array(program, content).transform(buffer, moderngl.POINTS, rows)
+    array = context.vertex_array(program, content)
+    array.transform(buffer, moderngl.POINTS, rows)
     result = np.frombuffer(buffer.read(), np.float32).reshape(rows, widths)
+    for held in (array, program, buffer, *(column for column, *_ in content), *textures):
+        held.release()
     return result[:, 0] if widths == 1 else result
 
 

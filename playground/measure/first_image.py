@@ -1,0 +1,57 @@
+"""How long a cold process takes to its first image, and how much memory at its peak."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class FirstImage:
+    """Seconds from the start of the process to its end, and megabytes at the peak."""
+
+    command: str
+    median: float
+    low: float
+    high: float
+    megabytes: float
+
+
+def measure_first_image(rounds: int = 9) -> list[FirstImage]:
+    """Our command, the floor, and an empty import of NumPy beside one of the package, in turn."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = str(Path(folder) / "a.png")
+        commands = {
+            "playground render sphere": ["-m", "playground", "render", "sphere", "-o", file],
+            "floor": ["-m", "playground.measure.floor", file],
+            "import numpy": ["-c", "import numpy"],
+            "import numpy, playground": ["-c", "import numpy, playground"],
+        }
+        runs: dict[str, list[tuple[float, float]]] = {name: [] for name in commands}
+        for _ in range(rounds):
+            for name, arguments in commands.items():
+                runs[name].append(_run([sys.executable, *arguments]))
+    rows = []
+    for name, measured in runs.items():
+        seconds, megabytes = zip(*measured, strict=True)
+        low, median, high = np.percentile(seconds, [10, 50, 90])
+        rows.append(FirstImage(name, median, low, high, float(np.median(megabytes))))
+    return rows
+
+
+def _run(command: list[str]) -> tuple[float, float]:
+    start = time.perf_counter()
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    _, status, usage = os.wait4(process.pid, 0)
+    seconds = time.perf_counter() - start
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode:
+        raise RuntimeError(f"{' '.join(command)} ended with status {process.returncode}")
+    return seconds, usage.ru_maxrss / 1024

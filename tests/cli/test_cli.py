@@ -1,0 +1,235 @@
+"""The real command, in a process of its own, as a person or a script would run it."""
+
+import json
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import playground as pg
+
+
+def run(*arguments, cwd=None, env=None):
+    return subprocess.run(
+        [sys.executable, "-m", "playground", *map(str, arguments)],
+        capture_output=True, text=True, cwd=cwd, timeout=120, check=False,
+        env={**os.environ, "PYTHONPATH": str(pg.__path__[0] + "/.."), **(env or {})},
+    )  # fmt: skip
+
+
+def ok(*arguments, **more):
+    done = run(*arguments, **more)
+    assert done.returncode == 0, done.stderr
+    return done
+
+
+def refused(*arguments, **more):
+    """The message of a mistake: status 2, one message, no traceback, nothing on stdout."""
+    done = run(*arguments, **more)
+    assert done.returncode == 2, done.stderr
+    assert "Traceback" not in done.stderr
+    assert done.stdout == ""
+    return done.stderr
+
+
+SMALL = ("--size", "64x48", "--renderer", "numpy")
+
+
+@pytest.mark.parametrize("suffix", ["png", "npy", "exr"])
+def test_render_writes_each_format(tmp_path, suffix):
+    file = tmp_path / f"a.{suffix}"
+    ok("render", "sphere", "-o", file, *SMALL)
+    from playground.render.image_file import read_image
+
+    image = read_image(file)
+    want = pg.render(pg.load("sphere"), (64, 48), "numpy")
+    tolerance = 0.5 / 255 + 1e-6 if suffix == "png" else 0
+    assert (
+        np.abs(np.clip(want.pixels, 0, 1 if suffix == "png" else 9) - image.pixels).max()
+        <= tolerance
+    )
+
+
+@pytest.mark.gl
+def test_render_takes_gl_where_it_is(gl, tmp_path):
+    done = ok("render", "sphere", "-o", tmp_path / "a.png", "--size", "64x48")
+    assert done.stderr.strip().endswith("gl")
+
+
+def test_render_falls_back_to_numpy_without_gl(tmp_path):
+    # A loader path that holds no libGL and no libEGL: what a bare machine looks like.
+    code = (
+        "import playground.render.gl.context as c\n"
+        "def none(): raise c.NoDriverError('no GL driver was found')\n"
+        "c.headless = none\n"
+        "from playground.cli import main\n"
+        f"raise SystemExit(main(['render', 'sphere', '-o', {str(tmp_path / 'a.png')!r}, '--size', '32x24']))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "numpy" in done.stderr
+    assert (tmp_path / "a.png").stat().st_size > 100
+
+
+def test_a_picture_renders_again(tmp_path):
+    first, second = tmp_path / "a.png", tmp_path / "b.png"
+    ok("render", "teapot", "-o", first, "--shading", "flat", "--shininess", "80",
+       "--set", "camera.fov=50", "--light", "point position=1,2,3 diffuse=1,0.5,0.25", *SMALL)  # fmt: skip
+    ok("render", first, "-o", second, *SMALL)
+    done = ok("compare", first, second, "--json")
+    assert json.loads(done.stdout)["max"] == 0
+    setup = pg.load(first)
+    assert setup.settings.shading == "flat"
+    assert setup.camera.fov == 50
+    assert setup.scene.lights == (pg.PointLight(position=(1, 2, 3), diffuse=(1, 0.5, 0.25)),)
+
+
+@pytest.mark.parametrize("sheet", ["terms", "shininess", "shading"])
+def test_sheets(tmp_path, sheet):
+    file = tmp_path / "s.png"
+    ok("render", "yellow", "--sheet", sheet, "-o", file, "--size", "60x45", "--renderer", "numpy")
+    from PIL import Image
+
+    with Image.open(file) as picture:
+        assert picture.width > 4 * 60
+
+
+def test_compare_reports_five_numbers(tmp_path):
+    done = ok("compare", "sphere", "red-on-blue", "--json", "-o", tmp_path / "d.png", *SMALL)
+    numbers = json.loads(done.stdout)
+    assert set(numbers) == {"rmse", "max", "psnr", "ssim", "flip"}
+    assert 0 < numbers["rmse"] < numbers["max"]
+    assert (tmp_path / "d.png").exists()
+
+
+def test_compare_fails_with_status_1(tmp_path):
+    assert run("compare", "sphere", "yellow", "--tolerance", "0.01", *SMALL).returncode == 1
+    assert run("compare", "sphere", "sphere", "--tolerance", "0", *SMALL).returncode == 0
+
+
+def test_explain_prints_the_equation():
+    done = ok("explain", "teapot", "--pixel", 320, 200)
+    for words in ("max(n·l, 0) s_d ⊗ m_d", "max(r·v, 0)^40", "s_a ⊗ m_a", "m_e", "clamped", "ρ ="):
+        assert words in done.stdout
+    vertex = ok("explain", "teapot", "--pixel", 320, 200, "--shading", "per-vertex")
+    for words in ("vertex A", "vertex C", "weight", "mix"):
+        assert words in vertex.stdout
+
+
+def test_explain_json_agrees_with_the_picture():
+    done = ok("explain", "teapot", "--pixel", 32, 30, "--json", "--size", "64x48")
+    why = json.loads(done.stdout)
+    image = pg.render(pg.load("teapot"), (64, 48), "numpy")
+    assert np.allclose(why["colour"], image.pixels[30, 32], atol=1e-6)
+    total = np.sum(
+        [why["terms"][t] for t in ("diffuse", "specular", "ambient", "emissive")], axis=0
+    )
+    assert np.allclose(total, why["colour"], atol=1e-12)
+
+
+def test_doctor_and_version():
+    assert "Python" in ok("doctor").stdout
+    found = json.loads(ok("doctor", "--json").stdout)
+    assert set(found) == {"python", "packages", "gl", "display", "window"}
+    assert ok("--version").stdout.startswith("playground ")
+
+
+BAD = {
+    "no such setup": (("render", "teapott", "-o", "a.png"), "Did you mean 'teapot'?"),
+    "missing file": (("render", "nothing.toml", "-o", "a.png"), "there is no file nothing.toml"),
+    "missing model": (("render", "nothing.obj", "-o", "a.png"), "nothing.obj"),
+    "unknown kind": (("render", "a.xyz", "-o", "a.png"), ".toml"),
+    "unknown format": (("render", "sphere", "-o", "a.gif"), ".exr, .npy, .png"),
+    "no folder": (("render", "sphere", "-o", "none/a.png", *SMALL), "Make the folder"),
+    "zero size": (("render", "sphere", "-o", "a.png", "--size", "0x10"), "1 to 32768"),
+    "odd size": (("render", "sphere", "-o", "a.png", "--size", "ten"), "WxH"),
+    "huge size": (("render", "sphere", "-o", "a.png", "--size", "99999x2"), "1 to 32768"),
+    "unknown renderer": (("render", "sphere", "-o", "a.png", "--renderer", "cuda"), "auto, gl, numpy"),
+    "unknown shading": (("render", "sphere", "-o", "a.png", "--shading", "flatt"), "Did you mean 'flat'?"),
+    "unknown term": (("render", "sphere", "-o", "a.png", "--terms", "diffuse,glow"), "ambient, diffuse"),
+    "shininess range": (("render", "sphere", "-o", "a.png", "--shininess", "-1"), "0 to 1e+06"),
+    "shininess text": (("render", "sphere", "-o", "a.png", "--shininess", "big"), "got big"),
+    "unknown key": (("render", "sphere", "-o", "a.png", "--set", "shinines=1"), "Did you mean 'shininess'?"),
+    "no value": (("render", "sphere", "-o", "a.png", "--set", "shininess"), "key=value"),
+    "no such light": (("render", "sphere", "-o", "a.png", "--set", "light.3.diffuse=1,1,1"), "0 to 0"),
+    "bad light": (("render", "sphere", "-o", "a.png", "--light", "laser"), "directional, point, spot"),
+    "bad cone": (("render", "sphere", "-o", "a.png", "--light", "spot inner_angle=40 outer_angle=30"),
+                 "Swap them"),
+    "unbuilt method": (("render", "sphere", "-o", "a.png", "--method", "radiosity"), "raster"),
+    "unknown sheet": (("render", "sphere", "-o", "a.png", "--sheet", "all"), "shading, shininess, terms"),
+    "pixel outside": (("explain", "sphere", "--pixel", "640", "0"), "x from 0 to 639"),
+    "sizes differ": (("compare", "one.png", "two.png"), "one.png"),
+    "no command": (("rendr", "x", "-o", "a.png"), "unrecognized"),
+    "unknown experiment": (("measure", "warp"), "frames"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", BAD)
+def test_a_mistake_gets_one_message(tmp_path, case):
+    arguments, words = BAD[case]
+    message = refused(*arguments, cwd=tmp_path)
+    assert words in message
+    assert list(tmp_path.iterdir()) == []
+
+
+BAD_SETUPS = {
+    "not TOML": ("[scene\n", "line 1"),
+    "unknown section": ("[scen]\n", "Did you mean 'scene'?"),
+    "unknown key": ("[camera]\nfow = 3\n", "Did you mean 'fov'?"),
+    "wrong type": ("[camera]\nfov = 'wide'\n", "camera.fov"),
+    "out of range": ("[camera]\nfov = 500\n", "0.01 to 170 degrees"),
+    "two numbers": ("[[light]]\nto_light = [1, 2]\n", "light[0].to_light"),
+    "not finite": ("[[light]]\nto_light = [1, 2, nan]\n", "light[0].to_light"),
+    "no direction": ("[[light]]\nto_light = [0, 0, 0]\n", "no direction"),
+    "single bracket": ("[light]\ntype = 'point'\n", "[[light]]"),
+    "unknown mesh": ("[[object]]\nmesh = 'spere'\n", "Did you mean 'sphere'?"),
+    "missing mesh file": ("[[object]]\nmesh = 'no.obj'\n", "no.obj"),
+    "missing texture": ("[[object]]\nmesh='box'\nmaterial = {texture = 'no.png'}\n", "no.png"),
+    "huge tessellation": ("[[object]]\nmesh='teapot'\ntessellation=4000\n", "64"),
+    "eye at target": ("[camera]\neye = [0, 0, 0]\n", "same point"),
+}
+
+
+@pytest.mark.parametrize("case", BAD_SETUPS)
+def test_a_bad_setup_file_is_told_where(tmp_path, case):
+    text, words = BAD_SETUPS[case]
+    (tmp_path / "s.toml").write_text(text)
+    (tmp_path / "a.png").write_bytes(b"precious")
+    message = refused("render", "s.toml", "-o", "a.png", *SMALL, cwd=tmp_path)
+    assert words in message
+    assert (tmp_path / "a.png").read_bytes() == b"precious"
+
+
+BAD_MODELS = {
+    "index.obj": ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "9"),
+    "nan.obj": ("v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "nan"),
+    "empty.obj": ("", "empty.obj"),
+    "points.obj": ("v 0 0 0\nv 1 0 0\n", "points.obj"),
+    "flat.obj": ("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "area"),
+    "short.ply": ("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n", "short.ply"),
+    "short.glb": ("glTF", "short.glb"),
+    "cut.png": ("\x89PNG\r\n", "cut.png"),
+}
+
+
+@pytest.mark.parametrize("name", BAD_MODELS)
+def test_a_bad_model_or_picture_is_told(tmp_path, name):
+    text, words = BAD_MODELS[name]
+    (tmp_path / name).write_bytes(text.encode("latin-1"))
+    message = refused("render", name, "-o", "a.png", *SMALL, cwd=tmp_path)
+    assert words in message
+    assert not (tmp_path / "a.png").exists()
+
+
+def test_a_model_file_gets_a_sensible_view(tmp_path):
+    """A small model away from the origin fills a good part of the picture, lit."""
+    import trimesh
+
+    ball = trimesh.creation.icosphere(3, radius=1e-2)
+    ball.apply_translation([100, -200, 50])
+    ball.export(tmp_path / "ball.ply")
+    image = pg.render(pg.load(tmp_path / "ball.ply"), (80, 60), "numpy")
+    assert 0.2 < image.coverage.mean() < 0.8
+    assert 0.3 < image.pixels.max() <= 2
