@@ -183,6 +183,7 @@ def _render(options: argparse.Namespace) -> int:
             renderer = image.renderer
         width, height = options.size or DEFAULT_SIZE
         _say(f"{options.output}  {width}x{height}  {renderer}")
+        _hint(options.renderer, renderer)
         return 0
     from playground.explain.sheet import make_sheet
 
@@ -272,6 +273,14 @@ def _print_json(value: Any) -> None:
 
 def _say(text: str) -> None:
     print(text, file=sys.stderr)
+
+
+def _hint(asked: str, took: str) -> None:
+    """Where NumPy stepped in for a missing driver, say how to get one."""
+    if asked == "auto" and took == "numpy":
+        from playground.render.gl.context import INSTALL_DRIVER
+
+        _say(f"no GL driver was found, so NumPy drew it; for speed: {INSTALL_DRIVER}")
 
 
 def _version() -> str:

@@ -7,7 +7,7 @@ import sys
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
-from playground.render.gl.context import INSTALL_DRIVER, WINDOW_PACKAGES
+from playground.render.gl.context import INSTALL_DRIVER, INSTALL_WINDOW
 
 PACKAGES = ("numpy", "moderngl", "moderngl-window", "imgui-bundle", "pyrr", "trimesh", "pillow")
 
@@ -42,7 +42,7 @@ def report(found: dict[str, Any]) -> str:
         lines.append("window      its libraries are there")
     else:
         lines += [f"window      not possible: {window['reason']}"]
-        lines.append(f"            install: sudo apt-get install -y {WINDOW_PACKAGES}")
+        lines.append(f"            install: {INSTALL_WINDOW}")
     lines.append(f"display     {found['display'] or 'none: the window needs one; render does not'}")
     return "\n".join(lines)
 

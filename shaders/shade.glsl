@@ -42,7 +42,7 @@ void shade(vec3 position, vec3 normal, out vec3 diffuse, out vec3 rest) {
         vec3 difference = point_position[i] - position;
 #if ATTENUATION
         vec3 k = point_attenuation[i];
-        float strength = attenuation(length(difference), k.x, k.y, k.z);
+        float strength = min(attenuation(length(difference), k.x, k.y, k.z), BRIGHTEST);
 #else
         const float strength = 1.0;
 #endif
@@ -58,7 +58,7 @@ void shade(vec3 position, vec3 normal, out vec3 diffuse, out vec3 rest) {
         float strength = spot_cone(spot_axis[i], -to_light, spot_edge_width[i].x, spot_edge_width[i].y);
 #if ATTENUATION
         vec3 k = spot_attenuation[i];
-        strength *= attenuation(length(difference), k.x, k.y, k.z);
+        strength *= min(attenuation(length(difference), k.x, k.y, k.z), BRIGHTEST);
 #endif
         add_light(normal, to_light, to_eye, strength,
                   spot_diffuse[i], spot_specular[i], diffuse, rest);

@@ -38,3 +38,7 @@ def gl(gl_context):
     """The GL context, checked for errors afterwards."""
     yield gl_context
     assert gl_context.error == "GL_NO_ERROR"
+
+
+def pytest_addoption(parser):
+    parser.addoption("--update-golden", action="store_true", help="write the golden pictures anew")

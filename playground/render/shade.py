@@ -12,7 +12,7 @@ import numpy as np
 from playground.render.surface import Surface, SurfaceLight
 from playground.render.view import View
 from playground.scene.settings import Settings
-from playground.shading.light import attenuation, spot_cone, toward
+from playground.shading.light import BRIGHTEST, attenuation, spot_cone, toward
 from playground.shading.phong import blinn_factor, diffuse_factor, gate, specular_factor
 from playground.shading.vector import Array, unit
 
@@ -82,7 +82,8 @@ def _arriving(light: SurfaceLight, view: View, position: Array) -> tuple[Array, 
     to_light, distance = toward(position, view.relative(light.position))
     strength = np.ones(position.shape[:-1])
     if light.attenuates:
-        strength = attenuation(distance, *view.attenuation(light.attenuation))
+        fading = attenuation(distance, *view.attenuation(light.attenuation))
+        strength = np.minimum(fading, BRIGHTEST)
     if light.axis is not None:
         strength = strength * spot_cone(light.axis, -to_light, *light.edge_width)
     return to_light, strength

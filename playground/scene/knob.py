@@ -68,15 +68,11 @@ class Knob:
 
 
 def _check_number(knob: Knob, value: Any, where: str) -> float:
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
-        try:  # NumPy scalars are welcome, text is not
-            value = value.item()
-        except (AttributeError, ValueError):
-            raise knob._refuse(value, where) from None
-        if isinstance(value, bool) or not isinstance(value, (int, float)):
-            raise knob._refuse(value, where)
+    plain = value.item() if hasattr(value, "item") else value
+    if isinstance(plain, bool) or not isinstance(plain, (int, float)):
+        raise knob._refuse(value, where)
     try:
-        number = float(value)
+        number = float(plain)
     except OverflowError:
         raise knob._refuse(value, where) from None
     if not (math.isfinite(number) and knob.low <= number <= knob.high):

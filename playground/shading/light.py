@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from playground.shading.vector import Array, dot, length_any, unit
 
+BRIGHTEST = 1e18  # share of a light that may arrive: colours beyond could not be interpolated
 SMALLEST = float(np.finfo(np.float32).tiny)  # keeps 1/x finite in float32 as in float64
 
 

@@ -19,7 +19,11 @@ if TYPE_CHECKING:
 GL_VERSION = 330
 DRIVER_PACKAGES = "libgl1 libegl1 libgl1-mesa-dri"
 WINDOW_PACKAGES = "libx11-6 libxext6"
-INSTALL_DRIVER = f"sudo apt-get install -y {DRIVER_PACKAGES}"
+APT = (
+    "apt-get install -y" if os.name == "posix" and os.geteuid() == 0 else "sudo apt-get install -y"
+)
+INSTALL_DRIVER = f"{APT} {DRIVER_PACKAGES}"
+INSTALL_WINDOW = f"{APT} {WINDOW_PACKAGES}"
 
 
 class NoDriverError(PlaygroundError):

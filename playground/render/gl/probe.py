@@ -103,8 +103,10 @@ def call(
     array = context.vertex_array(program, content)
     array.transform(buffer, moderngl.POINTS, rows)
     result = np.frombuffer(buffer.read(), np.float32).reshape(rows, widths)
-    for held in (array, program, buffer, *(column for column, *_ in content), *textures):
+    for held in (array, program, buffer, *textures):
         held.release()
+    for column, *_ in content:
+        column.release()
     return result[:, 0] if widths == 1 else result
 
 

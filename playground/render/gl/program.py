@@ -9,6 +9,7 @@ import numpy as np
 
 from playground.render.gl.source import Source, assemble, bake
 from playground.render.needs import Needs
+from playground.shading.light import BRIGHTEST
 
 if TYPE_CHECKING:
     import moderngl
@@ -72,7 +73,8 @@ class Program:
 
 def sources_for(needs: Needs, constants: Mapping[str, Any] | None = None) -> tuple[Source, Source]:
     """The two stages for exactly these needs; ``constants`` are uniforms that became literals."""
-    defines: dict[str, object] = {**needs.defines, "INTERPOLATION": INTERPOLATION[needs.shading]}
+    defines: dict[str, object] = {**needs.defines, "BRIGHTEST": BRIGHTEST}
+    defines["INTERPOLATION"] = INTERPOLATION[needs.shading]
     if constants and float(constants["shininess"]) in range(1, LARGEST_WHOLE + 1):
         defines["WHOLE_EXPONENT"] = int(constants["shininess"])
     vertex, fragment = (assemble(stage, defines) for stage in STAGES[needs.shading])

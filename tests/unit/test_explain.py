@@ -1,0 +1,64 @@
+"""`explain`: the numbers it tells are those of the picture."""
+
+import numpy as np
+import pytest
+
+import playground as pg
+
+SIZE = (80, 60)
+
+
+@pytest.mark.parametrize("shading", ["flat", "per-vertex", "per-fragment"])
+@pytest.mark.parametrize("name", pg.library())
+def test_every_pixel_is_explained_as_it_was_drawn(name, shading):
+    setup = pg.load(name).with_(shading=shading)
+    image = pg.render(setup, SIZE, "numpy")
+    for x, y in [(40, 30), (20, 25), (55, 35), (0, 0), (79, 59)]:
+        why = pg.explain(setup, pixel=(x, y), size=SIZE)
+        np.testing.assert_allclose(why.colour, image.pixels[y, x], atol=1e-6)
+        assert why.codes.tolist() == image.codes()[y, x].tolist()
+        assert (why.object is None) == (image.coverage[y, x] == 0)
+
+
+def test_terms_lights_and_weights_add_up():
+    setup = pg.load("coloured-lights").with_(shading="per-vertex")
+    why = pg.explain(setup, (40, 40), SIZE)
+    told = why.to_dict()
+    assert sum(told["weights"]) == pytest.approx(1.0)
+    assert len(told["points"]) == 3
+    assert all(len(point["lights"]) == 3 for point in told["points"])
+    total = np.sum(list(told["terms"].values()), axis=0)
+    np.testing.assert_allclose(total, why.colour, atol=1e-12)
+    mixed = np.einsum("c,cx->x", told["weights"], [p["colour"] for p in told["points"]])
+    np.testing.assert_allclose(mixed, why.colour, atol=1e-12)
+
+
+def test_vectors_are_those_of_the_formula():
+    why = pg.explain(pg.load("sphere"), (40, 30), SIZE)
+    (point,) = why.corners
+    (light,) = point.lights
+    for v in (point.normal, point.to_eye, light.to_light, light.reflection):
+        assert np.linalg.norm(v) == pytest.approx(1.0)
+    n, l, r = point.normal, light.to_light, light.reflection  # noqa: E741
+    np.testing.assert_allclose(r, 2 * n * (n @ l) - l, atol=1e-15)
+    assert light.rho == pytest.approx(np.degrees(np.arccos(light.r_dot_v)))
+    assert light.diffuse_factor == pytest.approx(max(n @ l, 0))
+    # On the unit sphere the normal is the point, up to the mesh's own flatness.
+    np.testing.assert_allclose(point.position, n, atol=5e-3)
+
+
+def test_the_words_of_the_lecture():
+    setup = pg.load("teapot").with_(exposure=2.0, diffuse_weight=0.5)
+    why = pg.explain(setup, (40, 30), SIZE)
+    for words in ("0.5 · max(n·l, 0)", "⊗", "exposed × 2", "emissive"):
+        assert words in why.text()
+    assert r"\max(n\cdot l,0)\,s_d\otimes m_d" in why.latex()
+    assert "background" in pg.explain(setup, (0, 0), SIZE).text()
+    blinn = pg.explain(setup.with_(highlight="blinn"), (40, 30), SIZE)
+    assert "max(n·h, 0)" in blinn.text()
+
+
+def test_a_pixel_outside_is_refused():
+    for pixel in [(80, 0), (0, -1), (1.5, 2), "ab", (1,)]:
+        with pytest.raises(pg.PlaygroundError, match="x from 0 to 79"):
+            pg.explain(pg.load("sphere"), pixel, SIZE)

@@ -1,0 +1,292 @@
+"""Renderers, pictures and shader sources: what they take, keep and refuse."""
+
+import os
+
+import numpy as np
+import pytest
+
+import playground as pg
+from playground.render.gl.program import Program, ShaderError, sources_for
+from playground.render.gl.source import assemble, bake
+from playground.render.image_file import read_image
+from playground.render.needs import needs
+from playground.render.projection import clip_matrix, view_rotation
+from playground.render.surface import surfaces
+from playground.render.view import view_of
+
+SIZE = (48, 32)
+RENDERERS = [pytest.param("gl", marks=pytest.mark.gl), "numpy"]
+
+
+@pytest.fixture(params=RENDERERS)
+def renderer(request):
+    if request.param == "gl":
+        request.getfixturevalue("gl")
+    with pg.open_renderer(SIZE, request.param) as opened:
+        yield opened
+
+
+@pytest.mark.parametrize(
+    ("shape", "dtype"),
+    [((32, 48, 4), np.uint8), ((32, 48, 3), np.float32), ((32, 48, 4), np.float32)],
+)
+def test_arrays_are_written_in_place(renderer, shape, dtype):
+    out = np.zeros(shape, dtype)
+    setup = pg.load("sphere")
+    assert renderer.render(setup, out=out) is out
+    image = renderer.render(setup)
+    assert image.pixels.shape == (32, 48, 3)
+    if dtype == np.float32:
+        assert np.array_equal(out[..., :3], image.pixels)
+    else:
+        assert np.abs(out[..., :3].astype(int) - image.codes()).max() <= 1
+        assert (out[..., 3] == 255).all()
+    assert out[0, 0].any()
+    assert (
+        image.pixels[16, 24, 0] > image.pixels[0, 0, 0]
+    )  # row 0 is on top, the ball in the middle
+
+
+def test_row_0_is_the_top_row(renderer):
+    up = pg.load("sphere").with_(target=(0, -1.5, 0))  # looking down: the ball is above
+    image = renderer.render(up)
+    assert image.coverage[:16].sum() > image.coverage[16:].sum()
+
+
+@pytest.mark.parametrize(
+    "out",
+    [
+        np.zeros((32, 48, 3), np.uint8),
+        np.zeros((48, 32, 4), np.uint8),
+        np.zeros((32, 48, 4), np.float64),
+        np.zeros((32, 48), np.uint8),
+        [[1, 2]],
+    ],
+    ids=["rgb8", "turned", "float64", "flat", "list"],
+)
+def test_other_arrays_are_refused(renderer, out):
+    with pytest.raises(pg.PlaygroundError, match=r"uint8 \(32, 48, 4\)"):
+        renderer.render(pg.load("sphere"), out=out)
+
+
+def test_a_view_into_an_array_is_written_too(renderer):
+    wall = np.zeros((64, 96, 4), np.uint8)
+    renderer.render(pg.load("sphere"), out=wall[16:48, 24:72])
+    assert wall[32, 48].any()
+    assert not wall[:16].any()
+
+
+def test_scenes_without_lights_or_objects(renderer):
+    setup = pg.load("sphere")
+    dark = renderer.render(setup.with_(lights=()))
+    assert np.array_equal(np.unique(dark.pixels[16, 24]), [0])
+    empty = renderer.render(setup.with_(objects=()))
+    assert not empty.coverage.any()
+    np.testing.assert_allclose(empty.pixels, np.broadcast_to(setup.scene.background, (32, 48, 3)))
+
+
+def test_a_hundred_lights(renderer):
+    lights = tuple(
+        pg.PointLight(position=(np.cos(a) * 4, 3, np.sin(a) * 4), diffuse=(0.01, 0.01, 0.01))
+        for a in np.linspace(0, 6, 100)
+    )
+    one = pg.load("sphere").with_(lights=lights)
+    assert 0.1 < renderer.render(one).pixels.max() < 60
+
+
+def test_hostile_numbers_never_reach_a_pixel(renderer):
+    """Lights on vertices, in the eye and far out; flattened objects; vanishing normals."""
+    mesh = pg.Mesh.create(
+        [[-1, -1, 0], [1, -1, 0], [0, 1, 0]], [[0, 1, 2]], [[0, 0, 1], [0, 0, -1], [1, 0, 0]]
+    )
+    objects = (
+        pg.Object(arrays=mesh),
+        pg.Object("sphere", transform=pg.Transform(scale=(1, 0, 1))),
+        pg.Object("torus", transform=pg.Transform(scale=(1e-6, 1, 1e3))),
+    )
+    lights = (
+        pg.PointLight(position=(0, 1, 0), attenuate=True, constant=0, linear=0, quadratic=1),
+        pg.PointLight(position=(0, 0, 3)),
+        pg.PointLight(position=(1e15, 0, 0), attenuate=True),
+        pg.SpotLight(position=(0, 0, 3), axis=(0, 0, -1), inner_angle=0, outer_angle=0),
+        pg.DirectionalLight(to_light=(1e-20, 0, 0)),
+    )
+    scene = pg.Scene(objects=objects, lights=lights)
+    for shading in pg.Shading:
+        for shininess in (0, 1e6):
+            setup = pg.Setup(scene, pg.Camera(eye=(0, 0, 3)))
+            image = renderer.render(setup.with_(shading=shading, shininess=shininess))
+            assert np.isfinite(image.pixels).all()
+
+
+@pytest.mark.parametrize("size", [(0, 10), (10, -1), (1.5, 2), (10,), "ab", (10**6, 2)])
+def test_impossible_sizes(size):
+    with pytest.raises(pg.PlaygroundError, match="1 to 32768"):
+        pg.render(pg.load("sphere"), size, "numpy")
+
+
+@pytest.mark.gl
+def test_a_picture_too_large_for_the_driver(gl):
+    with pytest.raises(pg.PlaygroundError, match="too large for this driver"):
+        pg.render(pg.load("sphere"), (32768, 8), "gl")
+
+
+def test_what_render_refuses():
+    with pytest.raises(pg.PlaygroundError, match='load\\("teapot"\\)'):
+        pg.render("teapot")
+    with pytest.raises(pg.PlaygroundError, match="auto, gl, numpy"):
+        pg.render(pg.load("sphere"), renderer="cuda")
+    with pytest.raises(pg.PlaygroundError, match="not built yet"):
+        pg.render(pg.load("sphere"), method="radiosity")
+
+
+@pytest.mark.parametrize("suffix", ["npy", "exr"])
+def test_float_files_keep_every_bit(tmp_path, suffix):
+    image = pg.render(pg.load("sphere"), SIZE, "numpy")
+    image.save(tmp_path / f"a.{suffix}")
+    assert np.array_equal(read_image(tmp_path / f"a.{suffix}").pixels, image.pixels)
+
+
+def test_a_failed_save_leaves_the_old_file(tmp_path, monkeypatch):
+    image = pg.render(pg.load("sphere"), SIZE, "numpy")
+    file = tmp_path / "a.png"
+    file.write_bytes(b"old")
+    monkeypatch.setattr(os, "replace", lambda *_: (_ for _ in ()).throw(OSError("disk full")))
+    with pytest.raises(pg.PlaygroundError, match="disk full"):
+        image.save(file)
+    assert file.read_bytes() == b"old"
+    assert [p.name for p in tmp_path.iterdir()] == ["a.png"]
+
+
+def test_damaged_pictures(tmp_path):
+    image = pg.render(pg.load("sphere"), SIZE, "numpy")
+    for suffix in ("png", "npy", "exr"):
+        file = tmp_path / f"a.{suffix}"
+        image.save(file)
+        file.write_bytes(file.read_bytes()[:-40] if suffix != "exr" else file.read_bytes()[:100])
+        with pytest.raises(pg.PlaygroundError, match="damaged"):
+            read_image(file)
+
+
+def test_notebooks_show_a_png():
+    assert pg.render(pg.load("sphere"), (8, 8), "numpy")._repr_png_().startswith(b"\x89PNG")
+
+
+def wanted(setup, display=False):
+    everything = surfaces(setup.scene, setup.settings.weights)
+    view = view_of(setup.camera, everything, SIZE)
+    return needs(everything[0], view, setup.settings, display)
+
+
+def test_needs_are_what_the_setup_uses():
+    sphere = wanted(pg.load("sphere"))
+    assert (sphere.point_lights, sphere.directional_lights, sphere.spot_lights) == (1, 0, 0)
+    assert sphere.diffuse
+    assert sphere.specular
+    assert not (sphere.two_sided or sphere.texture or sphere.attenuation or sphere.stretched)
+    assert not wanted(pg.load("yellow")).specular  # m_s is black
+    dark = wanted(pg.load("sphere").with_(terms=("ambient",)))
+    assert dark.point_lights == 0  # the ambient term needs no light vector
+    assert wanted(pg.load("teapot")).two_sided  # an open surface
+    assert wanted(pg.load("textured")).texture
+    assert "1 point light" in sphere.describe()
+
+
+def test_what_a_setup_does_not_need_is_not_compiled():
+    for setup, absent in [
+        (pg.load("teapot"), ["point_position", "attenuation(", "bilinear(", "spot_cone("]),
+        (pg.load("yellow"), ["lobe(reflection", "shininess"]),
+    ]:
+        _, fragment = sources_for(wanted(setup))
+        kept = preprocessed(fragment.text)
+        main = kept[kept.index("void shade(") :]
+        for words in absent:
+            assert words not in main, words
+
+
+def preprocessed(text):
+    """What `#if NAME` and `#if NAME > 0` leave, for defines that are whole numbers."""
+    values, stack, kept = {}, [], []
+    for line in text.splitlines():
+        words = line.split()
+        live = all(stack)
+        if line.startswith("#define") and live and len(words) == 3:
+            values[words[1]] = int(words[2]) if words[2].isdigit() else words[2]
+        elif line.startswith("#define") and live:
+            values[words[1]] = 1
+        elif line.startswith("#ifdef"):
+            stack.append(words[1] in values)
+        elif line.startswith("#ifndef"):
+            stack.append(words[1] not in values)
+        elif line.startswith("#if"):
+            test = line[3:].replace("&&", " and ").replace("||", " or ").replace("!", " not ")
+            stack.append(bool(eval(test, {}, dict(values))))
+        elif line.startswith("#else"):
+            stack[-1] = not stack[-1]
+        elif line.startswith("#endif"):
+            stack.pop()
+        elif live:
+            kept.append(line.split("//")[0])
+    return "\n".join(kept)
+
+
+def test_errors_in_shaders_name_file_and_line(tmp_path, monkeypatch):
+    source = assemble("phong.frag", {})
+    line = next(
+        i for i, text in enumerate(source.text.splitlines(), 1) if "vec3 reflection(" in text
+    )
+    log = f"0:{line}(5): error: syntax error, unexpected IDENTIFIER"
+    assert source.explain(log).startswith("shaders/lib/vector.glsl:")
+    assert "syntax error" in source.explain(log)
+    nvidia = f"0({line}) : error C0000: syntax error"
+    assert source.explain(nvidia).startswith("shaders/lib/vector.glsl:")
+
+
+@pytest.mark.gl
+def test_a_broken_shader_is_told_by_our_file_and_line(gl):
+    from dataclasses import replace
+
+    vertex, fragment = sources_for(wanted(pg.load("sphere")))
+    broken = replace(
+        fragment, text=fragment.text.replace("diffuse += strength", "diffuse += strenght")
+    )
+    with pytest.raises(ShaderError, match=r"shaders/shade\.glsl:\d+: "):
+        Program(gl, (vertex, broken))
+
+
+def test_includes_are_guarded_and_checked():
+    text = assemble("phong.frag").text
+    assert text.count("#ifndef INCLUDED_lib_vector_glsl") >= 2
+    assert "// from: lib/phong.glsl" in text
+    with pytest.raises(FileNotFoundError):
+        assemble("no_such_file.frag")
+
+
+def test_baking_turns_uniforms_into_constants():
+    setup = pg.load("sphere")
+    source = sources_for(wanted(setup))[1]
+    baked = bake(source, {"shininess": 0.1, "point_diffuse": np.array([[1, 2, 3]])}).text
+    assert "const float shininess = 1.00000001e-01;" in baked
+    assert "const vec3 point_diffuse[POINT_LIGHTS] = vec3[1](vec3(" in baked
+    assert "uniform vec3 point_specular" in baked
+
+
+def test_the_camera_against_pyrr():
+    from pyrr import matrix44
+
+    camera = pg.Camera(eye=(3, 2, 5), target=(1, -1, 0), up=(0.2, 1, 0.1), fov=50)
+    theirs = matrix44.create_look_at(np.array(camera.eye), camera.target, camera.up, dtype="f8").T
+    np.testing.assert_allclose(view_rotation(camera), theirs[:3, :3], atol=1e-15)
+    clip = clip_matrix(camera, 1.5, 0.1, 10)
+    point = np.array([0.3, 0.2, 0.1])
+    projection = matrix44.create_perspective_projection(50, 1.5, 0.1, 10, dtype="f8").T
+    want = projection @ theirs @ [*point, 1]
+    got = clip @ [*(point - camera.eye), 1]
+    np.testing.assert_allclose(got, want, atol=1e-12)
+
+
+@pytest.mark.parametrize("up", [(0, 1, 0), (0, -1, 0), (0, 1e-9, 0)])
+def test_looking_along_up_still_has_a_side(up):
+    rotation = view_rotation(pg.Camera(eye=(0, 5, 0), target=(0, 0, 0), up=up))
+    np.testing.assert_allclose(rotation @ rotation.T, np.eye(3), atol=1e-15)
+    assert np.linalg.det(rotation) == pytest.approx(1.0)
