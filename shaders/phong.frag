@@ -15,7 +15,7 @@ out vec4 colour;
 void main() {
     vec3 unit_normal = unit_moderate(normal);
 #if TWO_SIDED
-    if (!gl_FrontFacing) unit_normal = -unit_normal;
+    if (!gl_FrontFacing) unit_normal = turned_to_eye(unit_normal, -position);
 #endif
     vec3 diffuse, rest;
     shade(position, unit_normal, diffuse, rest);

@@ -24,7 +24,7 @@ void emit_colours(vec3 position, vec3 normal) {
     front_rest = diffuse + rest;
 #endif
 #if TWO_SIDED
-    shade(position, -normal, diffuse, rest);
+    shade(position, turned_to_eye(normal, -position), diffuse, rest);
 #if TEXTURE
     back_diffuse = diffuse;
     back_rest = rest;

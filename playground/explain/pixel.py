@@ -26,7 +26,7 @@ from playground.scene.setup import Setup
 from playground.shading.display import code8, display_colour
 from playground.shading.phong import ambient_term, component_filter, emissive_term
 from playground.shading.texture import bilinear
-from playground.shading.vector import Array, reflection, unit
+from playground.shading.vector import Array, reflection, turned_to_eye, unit
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,12 +133,13 @@ def explain(
     # Evaluate the model where the shading mode does: at the point, the centre, the vertices.
     surface, triangle = everything[number], int(frame.triangle[y, x])
     weights = frame.weights[y, x]
-    side = 1.0 if bool(frame.front[y, x]) != surface.mirrored else -1.0
+    front = bool(frame.front[y, x]) != surface.mirrored
     positions, normals, mix = _where(surface, view, settings, triangle, weights)
     texel = _texel(surface, triangle, weights)
     corners = tuple(
-        _shaded_point(setup, number, surface, view, position, side * normal, texel)
+        _shaded_point(setup, number, surface, view, position, seen, texel)
         for position, normal in zip(positions, normals, strict=True)
+        for seen in [normal if front else turned_to_eye(normal, -position)]
     )
     colour = np.einsum("c,cx->x", mix, [corner.colour for corner in corners])
     return _explanation(

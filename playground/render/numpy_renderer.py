@@ -21,7 +21,7 @@ from playground.render.view import View, view_of
 from playground.scene.settings import Settings, Shading
 from playground.scene.setup import Setup
 from playground.shading.texture import bilinear
-from playground.shading.vector import Array, unit
+from playground.shading.vector import Array, turned_to_eye, unit
 
 BLOCK = 2**16  # pixels shaded at a time: bounds the memory whatever the size of the picture
 
@@ -154,8 +154,9 @@ def colours_before(surface: Surface, view: View, settings: Settings) -> VertexCo
         normals = mesh.triangle_normals.astype(np.float32)
     position, normal = eye_positions(surface, view, points), eye_normals(surface, normals)
     front = shade(surface, view, settings, position, normal)
-    back = shade(surface, view, settings, position, -normal) if view.two_sided(surface) else front
-    return front, back
+    if not view.two_sided(surface):
+        return front, front
+    return front, shade(surface, view, settings, position, turned_to_eye(normal, -position))
 
 
 def pixel_colours(
@@ -182,7 +183,8 @@ def pixel_colours(
             normal = unit(interpolate(eye_normals(surface, normals)))
         else:
             normal = eye_normals(surface, interpolate(normals))
-        diffuse, rest = shade(surface, view, settings, position, np.where(front, normal, -normal))
+        normal = np.where(front, normal, turned_to_eye(normal, -position))
+        diffuse, rest = shade(surface, view, settings, position, normal)
     else:
         faces = settings.shading == Shading.FLAT
         pick = (lambda a: a[triangle]) if faces else interpolate

@@ -68,7 +68,7 @@ class Knob:
 
 
 def _check_number(knob: Knob, value: Any, where: str) -> float:
-    plain = value.item() if hasattr(value, "item") else value
+    plain = value.item() if getattr(value, "size", 0) == 1 else value  # a NumPy number
     if isinstance(plain, bool) or not isinstance(plain, (int, float)):
         raise knob._refuse(value, where)
     try:

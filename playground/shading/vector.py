@@ -59,6 +59,16 @@ def halfway(to_light: ArrayLike, to_eye: ArrayLike) -> Array:
     return unit(np.add(to_light, to_eye))
 
 
+def turned_to_eye(normal: ArrayLike, to_eye: ArrayLike) -> Array:
+    """The normal of a surface seen from behind: turned to the eye where it looks away; (..., 3).
+
+    An interpolated normal that faces the eye stays, whatever way its small triangle
+    lies: a scanned mesh would show dark specks otherwise.
+    """
+    away = dot(normal, to_eye)[..., None] < 0.0
+    return np.where(away, np.negative(normal), normal)
+
+
 def normal_matrix(linear: ArrayLike) -> Array:
     """The matrix that carries normals along when ``linear`` carries points, shape (3, 3).
 

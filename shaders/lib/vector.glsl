@@ -24,6 +24,12 @@ float length_any(vec3 v) {
     return largest * length(v / (largest > 0.0 ? largest : 1.0));
 }
 
+// The normal of a surface seen from behind: turned to the eye where it looks away. An
+// interpolated normal that faces the eye stays, whatever way its small triangle lies.
+vec3 turned_to_eye(vec3 normal, vec3 to_eye) {
+    return dot(normal, to_eye) < 0.0 ? -normal : normal;
+}
+
 // r = 2 n (n·l) − l (Phong, CACM 18(6), 1975).
 vec3 reflection(vec3 normal, vec3 to_light) {
     return 2.0 * dot(normal, to_light) * normal - to_light;

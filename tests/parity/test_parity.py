@@ -71,6 +71,13 @@ def test_reflection(gl, rng):
     assert_close(probe.call("vector", "reflection", n, l), shading.vector.reflection(n, l), 14 * U)
 
 
+def test_turned_to_eye(gl, rng):
+    n, v = directions(rng), directions(rng)
+    clear = np.abs(np.sum(n * v, axis=1)) > 5 * U  # nearer, the sign of n·v is rounding
+    got, want = probe.call("vector", "turned_to_eye", n, v), shading.vector.turned_to_eye(n, v)
+    assert np.array_equal(got[clear], want[clear])
+
+
 def test_halfway(gl, rng):
     l, v = directions(rng), directions(rng)  # noqa: E741
     near_opposite = np.linalg.norm(l + v, axis=1) < 1e-3

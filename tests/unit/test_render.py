@@ -94,6 +94,13 @@ def test_a_hundred_lights(renderer):
     assert 0.1 < renderer.render(one).pixels.max() < 60
 
 
+@pytest.mark.gl
+def test_more_lights_than_the_driver_takes(gl):
+    setup = pg.load("sphere").with_(lights=(pg.PointLight(),) * 100_000)
+    with pytest.raises(pg.PlaygroundError, match="renderer numpy"):
+        pg.render(setup, SIZE, "gl")
+
+
 def test_hostile_numbers_never_reach_a_pixel(renderer):
     """Lights on vertices, in the eye and far out; flattened objects; vanishing normals."""
     mesh = pg.Mesh.create(

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -86,7 +87,7 @@ def call(
 
     # Bind what the program kept of its inputs, run it once per row, and read it back.
     names = [f"in_{label}" for _, _, label in inputs]
-    content = [
+    content: Any = [
         (context.buffer(column.tobytes()), f"{column.shape[1]}f", label)
         for column, label in zip(columns, names, strict=True)
         if label in program
@@ -103,10 +104,9 @@ def call(
     array = context.vertex_array(program, content)
     array.transform(buffer, moderngl.POINTS, rows)
     result = np.frombuffer(buffer.read(), np.float32).reshape(rows, widths)
-    for held in (array, program, buffer, *textures):
-        held.release()
-    for column, *_ in content:
-        column.release()
+    held: list[Any] = [array, program, buffer, *textures, *(column for column, *_ in content)]
+    for item in held:
+        item.release()
     return result[:, 0] if widths == 1 else result
 
 

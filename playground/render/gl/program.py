@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from playground.errors import PlaygroundError
 from playground.render.gl.source import Source, assemble, bake
 from playground.render.needs import Needs
 from playground.shading.light import BRIGHTEST
@@ -69,6 +70,25 @@ class Program:
         for _, array in self._arrays.values():
             array.release()
         self.gl.release()
+
+
+def check_lights(context: moderngl.Context, needs: Needs) -> None:
+    """Raise an error if the lights do not fit into the uniforms that the driver offers.
+
+    A directional light takes three vectors of ``interface/surface.glsl``, a point light
+    four, a spot light six; sixteen are left for everything else.
+    """
+    names = ("GL_MAX_FRAGMENT_UNIFORM_COMPONENTS", "GL_MAX_VERTEX_UNIFORM_COMPONENTS")
+    room = min(int(context.info[name]) for name in names) // 4 - 16
+    taken = 3 * needs.directional_lights + 4 * needs.point_lights + 6 * needs.spot_lights
+    if taken > room:
+        count = needs.directional_lights + needs.point_lights + needs.spot_lights
+        raise PlaygroundError(
+            "too many lights for this driver",
+            got=f"{count} lights",
+            allowed=f"{room // 3} directional, {room // 4} point or {room // 6} spot lights",
+            fix="Use --renderer numpy, which takes any number.",
+        )
 
 
 def sources_for(needs: Needs, constants: Mapping[str, Any] | None = None) -> tuple[Source, Source]:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from playground.render.gl import context as gl_context
 from playground.render.gl.clusters import frustum_planes, visible_runs
 from playground.render.gl.mesh_buffers import MeshBuffers
-from playground.render.gl.program import Program, sources_for
+from playground.render.gl.program import Program, check_lights, sources_for
 from playground.render.gl.target import Target
 from playground.render.gl.uniforms import surface_uniforms, view_uniforms
 from playground.render.image import Image
@@ -120,6 +120,7 @@ class GLRenderer:
         values = surface_uniforms(surface, settings)
         if self._frames < STEADY:
             if wanted not in self._programs:
+                check_lights(self._context, wanted)
                 self._programs[wanted] = Program(self._context, sources_for(wanted))
             self._programs[wanted].write(values)
             return self._programs[wanted]
