@@ -31,7 +31,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if not words or (words[0] not in COMMANDS and not words[0].startswith("-")):
             words = ["window", *words]
-        options = _parser().parse_args(words)
+        options = _parser(words).parse_args(words)
         return int(options.run(options) or 0)
     except PlaygroundError as error:
         print(f"{PROGRAM}: {error}", file=sys.stderr)
@@ -43,12 +43,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 0
 
 
-def _parser() -> argparse.ArgumentParser:
+def _parser(arguments: Sequence[str] = ()) -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         PROGRAM,
         usage=f"{PROGRAM} [SETUP]\n       {PROGRAM} {{{','.join(COMMANDS)}}} ... [-h]",
         description='The lecture "Lighting" as a playground. Without a command: the window.',
-        epilog="SETUP is a name of the library, a .toml setup, a model file, or a .png saved here.",
+        epilog="SETUP is a .toml setup, a model (.obj .ply .stl .glb .gltf), a .png saved by this "
+        f"program, or a name of the library: {', '.join(_library(arguments))}.",
     )
     parser.add_argument("--version", action="version", version=_version())
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
@@ -269,6 +270,15 @@ def _print_json(value: Any) -> None:
     import json
 
     print(json.dumps(value))
+
+
+def _library(arguments: Sequence[str]) -> list[str]:
+    """The names of the library, where the help will show them."""
+    if not {"-h", "--help"} & set(arguments):
+        return []
+    from playground.scene.library import library
+
+    return library()
 
 
 def _say(text: str) -> None:
