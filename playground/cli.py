@@ -10,18 +10,15 @@ import argparse
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from playground import commands
 from playground.errors import PlaygroundError
 
 if TYPE_CHECKING:
-    from playground.render.image import Image
-    from playground.scene.setup import Setup
-
-    Commands = argparse._SubParsersAction[argparse.ArgumentParser]
+    Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 PROGRAM = "playground"
-DEFAULT_SIZE = (640, 480)
 COMMANDS = ("render", "compare", "explain", "measure", "doctor")
 
 
@@ -52,32 +49,32 @@ def _parser(arguments: Sequence[str] = ()) -> argparse.ArgumentParser:
         f"program, or a name of the library: {', '.join(_library(arguments))}.",
     )
     parser.add_argument("--version", action="version", version=_version())
-    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    subparsers = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
     for add in (_add_window, _add_render, _add_compare, _add_explain, _add_measure, _add_doctor):
-        add(commands)
+        add(subparsers)
     return parser
 
 
-def _add_window(commands: Commands) -> None:
-    window = commands.add_parser("window", help="the window; without a display, a picture")
+def _add_window(subparsers: Subparsers) -> None:
+    window = subparsers.add_parser("window", help="the window; without a display, a picture")
     window.add_argument("setup", nargs="?", default="teapot", metavar="SETUP")
     _setup_options(window)
-    window.set_defaults(run=_window)
+    window.set_defaults(run=commands.window)
 
 
-def _add_render(commands: Commands) -> None:
-    render = commands.add_parser("render", help="a setup as a picture")
+def _add_render(subparsers: Subparsers) -> None:
+    render = subparsers.add_parser("render", help="a setup as a picture")
     render.add_argument("setup", metavar="SETUP")
     render.add_argument("-o", "--output", type=Path, required=True, help=".png, .exr or .npy")
     render.add_argument("--sheet", help="a figure of the lecture: terms, shininess or shading")
     render.add_argument("--method", default="raster", help="raster")
     _picture_options(render)
-    render.set_defaults(run=_render)
+    render.set_defaults(run=commands.render)
 
 
-def _add_compare(commands: Commands) -> None:
-    compare = commands.add_parser("compare", help="how two pictures differ")
+def _add_compare(subparsers: Subparsers) -> None:
+    compare = subparsers.add_parser("compare", help="how two pictures differ")
     compare.add_argument("a", metavar="A", help="a picture or a setup: the reference")
     compare.add_argument("b", metavar="B", help="a picture or a setup")
     compare.add_argument("-o", "--output", type=Path, help="the difference in false colours")
@@ -86,34 +83,34 @@ def _add_compare(commands: Commands) -> None:
         "--tolerance", type=float, help="status 1 if the largest difference exceeds"
     )
     _picture_options(compare)
-    compare.set_defaults(run=_compare)
+    compare.set_defaults(run=commands.compare)
 
 
-def _add_explain(commands: Commands) -> None:
-    explain = commands.add_parser("explain", help="why a pixel has its colour")
+def _add_explain(subparsers: Subparsers) -> None:
+    explain = subparsers.add_parser("explain", help="why a pixel has its colour")
     explain.add_argument("setup", metavar="SETUP")
     explain.add_argument("--pixel", nargs=2, type=int, required=True, metavar=("X", "Y"))
     explain.add_argument("--json", action="store_true", help="one JSON document, nothing else")
     explain.add_argument("--latex", action="store_true", help="the equation as LaTeX")
     _picture_options(explain)
-    explain.set_defaults(run=_explain)
+    explain.set_defaults(run=commands.explain)
 
 
-def _add_measure(commands: Commands) -> None:
-    measure = commands.add_parser("measure", help="speed against error")
+def _add_measure(subparsers: Subparsers) -> None:
+    measure = subparsers.add_parser("measure", help="speed against error")
     measure.add_argument(
         "experiments", nargs="*", metavar="EXPERIMENT", help="frames, first-image (all if none)"
     )
     measure.add_argument("-o", "--output", type=Path, help="folder for the tables")
     measure.add_argument("--rounds", type=int, default=9, help="interleaved rounds")
     measure.add_argument("--json", action="store_true", help="one JSON document, nothing else")
-    measure.set_defaults(run=_measure)
+    measure.set_defaults(run=commands.measure)
 
 
-def _add_doctor(commands: Commands) -> None:
-    doctor = commands.add_parser("doctor", help="what works here, what is missing, how to get it")
+def _add_doctor(subparsers: Subparsers) -> None:
+    doctor = subparsers.add_parser("doctor", help="what works here, what is missing, how to get it")
     doctor.add_argument("--json", action="store_true", help="one JSON document, nothing else")
-    doctor.set_defaults(run=_doctor)
+    doctor.set_defaults(run=commands.doctor)
 
 
 def _picture_options(parser: argparse.ArgumentParser) -> None:
@@ -148,130 +145,6 @@ def _size(text: str) -> tuple[int, int]:
     return int(width), int(height)
 
 
-def _setup(options: argparse.Namespace, name: str | None = None) -> Setup:
-    """The setup that the options describe."""
-    from playground.scene.assign import assign, parse_light
-    from playground.scene.library import load
-
-    setup = load(options.setup if name is None else name)
-    if options.light:
-        setup = setup.with_(lights=tuple(parse_light(text) for text in options.light))
-    for key in ("shading", "terms", "shininess"):
-        if getattr(options, key) is not None:
-            setup = assign(setup, f"{key}={getattr(options, key)}")
-    for assignment in options.set:
-        setup = assign(setup, assignment)
-    return setup
-
-
-def _window(options: argparse.Namespace) -> int:
-    from playground.gui import open_window
-
-    return open_window(_setup(options))
-
-
-def _render(options: argparse.Namespace) -> int:
-    from playground.files import write_whole
-    from playground.render.image_file import check_suffix, png_bytes
-
-    suffix = check_suffix(options.output)
-    if options.sheet is None:
-        if suffix == ".png":
-            renderer = _save_png(options, _setup(options))
-        else:
-            image = _picture(options, _setup(options))
-            image.save(options.output)
-            renderer = image.renderer
-        width, height = options.size or DEFAULT_SIZE
-        _say(f"{options.output}  {width}x{height}  {renderer}")
-        _hint(options.renderer, renderer)
-        return 0
-    from playground.explain.sheet import make_sheet
-
-    if options.output.suffix.lower() != ".png":
-        raise PlaygroundError("a sheet is saved as .png", got=str(options.output))
-    setup = _setup(options)
-    sheet = make_sheet(setup, options.sheet, options.size or (400, 300), options.renderer)
-    write_whole(options.output, png_bytes(sheet.codes, setup, sheet.message))
-    _say(f"{options.output}  {sheet.message}")
-    return 0
-
-
-def _save_png(options: argparse.Namespace, setup: Setup) -> str:
-    """Write the 8-bit picture without making one of floats first; returns the renderer's name."""
-    import numpy as np
-
-    from playground.files import write_whole
-    from playground.render.image_file import png_bytes
-    from playground.render.renderer import check_method, open_renderer
-
-    check_method(options.method)
-    with open_renderer(options.size or DEFAULT_SIZE, options.renderer) as renderer:
-        codes = np.empty((renderer.size[1], renderer.size[0], 4), dtype=np.uint8)
-        renderer.render(setup, out=codes)
-        write_whole(options.output, png_bytes(codes[..., :3], setup))
-        return renderer.name
-
-
-def _picture(options: argparse.Namespace, setup: Setup) -> Image:
-    from playground.render.renderer import render
-
-    method = getattr(options, "method", "raster")
-    return render(setup, options.size or DEFAULT_SIZE, options.renderer, method)
-
-
-def _compare(options: argparse.Namespace) -> int:
-    from playground.measure.compare import compare
-
-    result = compare(_picture_or_setup(options, options.a), _picture_or_setup(options, options.b))
-    if options.output is not None:
-        result.heatmap().save(options.output)
-    print(result.to_json() if options.json else result)
-    return int(options.tolerance is not None and result.max > options.tolerance)
-
-
-def _picture_or_setup(options: argparse.Namespace, name: str) -> Image:
-    from playground.render.image_file import SUFFIXES, read_image
-
-    if Path(name).suffix.lower() in SUFFIXES:
-        return read_image(Path(name))
-    return _picture(options, _setup(options, name))
-
-
-def _explain(options: argparse.Namespace) -> int:
-    from playground.explain.pixel import explain
-
-    why = explain(_setup(options), tuple(options.pixel), options.size or DEFAULT_SIZE)
-    if options.json:
-        _print_json(why.to_dict())
-    else:
-        print(why.latex() if options.latex else why.text())
-    return 0
-
-
-def _measure(options: argparse.Namespace) -> int:
-    from playground.measure.experiments import run_experiments
-
-    return run_experiments(options.experiments, options.output, options.rounds, options.json)
-
-
-def _doctor(options: argparse.Namespace) -> int:
-    from playground.doctor import examine, report
-
-    findings = examine()
-    if options.json:
-        _print_json(findings)
-    else:
-        print(report(findings))
-    return 0
-
-
-def _print_json(value: Any) -> None:
-    import json
-
-    print(json.dumps(value))
-
-
 def _library(arguments: Sequence[str]) -> list[str]:
     """The names of the library, where the help will show them."""
     if not {"-h", "--help"} & set(arguments):
@@ -279,18 +152,6 @@ def _library(arguments: Sequence[str]) -> list[str]:
     from playground.scene.library import library
 
     return library()
-
-
-def _say(text: str) -> None:
-    print(text, file=sys.stderr)
-
-
-def _hint(asked: str, took: str) -> None:
-    """Where NumPy stepped in for a missing driver, say how to get one."""
-    if asked == "auto" and took == "numpy":
-        from playground.render.gl.context import INSTALL_DRIVER
-
-        _say(f"no GL driver was found, so NumPy drew it; for speed: {INSTALL_DRIVER}")
 
 
 def _version() -> str:

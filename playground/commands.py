@@ -1,0 +1,163 @@
+"""What each command of the command line does, given its parsed options.
+
+`playground.cli` parses; here the options meet the Python API. Every function returns the
+exit status, and imports only what its command needs.
+"""
+
+from __future__ import annotations
+
+import sys
+from argparse import Namespace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from playground.errors import PlaygroundError
+
+if TYPE_CHECKING:
+    from playground.render.image import Image
+    from playground.scene.setup import Setup
+
+DEFAULT_SIZE = (640, 480)
+PANEL_SIZE = (400, 300)  # of each picture of a sheet
+
+
+def _setup(options: Namespace, name: str | None = None) -> Setup:
+    """The setup that the options describe."""
+    from playground.scene.assign import assign, parse_light
+    from playground.scene.library import load
+
+    setup = load(options.setup if name is None else name)
+    if options.light:
+        setup = setup.with_(lights=tuple(parse_light(text) for text in options.light))
+    for key in ("shading", "terms", "shininess"):
+        if getattr(options, key) is not None:
+            setup = assign(setup, f"{key}={getattr(options, key)}")
+    for assignment in options.set:
+        setup = assign(setup, assignment)
+    return setup
+
+
+def window(options: Namespace) -> int:
+    """Open the window; without a display, make a picture of the same view."""
+    from playground.gui import open_window
+
+    return open_window(_setup(options))
+
+
+def render(options: Namespace) -> int:
+    """Write a picture or a sheet."""
+    from playground.files import write_whole
+    from playground.render.image_file import check_suffix, png_bytes
+
+    suffix = check_suffix(options.output)
+    if options.sheet is None:
+        if suffix == ".png":
+            renderer = _save_png(options, _setup(options))
+        else:
+            image = _picture(options, _setup(options))
+            image.save(options.output)
+            renderer = image.renderer
+        width, height = options.size or DEFAULT_SIZE
+        _say(f"{options.output}  {width}x{height}  {renderer}")
+        _hint(options.renderer, renderer)
+        return 0
+    from playground.explain.sheet import make_sheet
+
+    if options.output.suffix.lower() != ".png":
+        raise PlaygroundError("a sheet is saved as .png", got=str(options.output))
+    setup = _setup(options)
+    sheet = make_sheet(setup, options.sheet, options.size or PANEL_SIZE, options.renderer)
+    write_whole(options.output, png_bytes(sheet.codes, setup, sheet.message))
+    _say(f"{options.output}  {sheet.message}")
+    return 0
+
+
+def _save_png(options: Namespace, setup: Setup) -> str:
+    """Write the 8-bit picture without making one of floats first; returns the renderer's name."""
+    import numpy as np
+
+    from playground.files import write_whole
+    from playground.render.image_file import png_bytes
+    from playground.render.renderer import check_method, open_renderer
+
+    check_method(options.method)
+    with open_renderer(options.size or DEFAULT_SIZE, options.renderer) as renderer:
+        codes = np.empty((renderer.size[1], renderer.size[0], 4), dtype=np.uint8)
+        renderer.render(setup, out=codes)
+        write_whole(options.output, png_bytes(codes[..., :3], setup))
+        return renderer.name
+
+
+def _picture(options: Namespace, setup: Setup) -> Image:
+    from playground.render.renderer import render
+
+    method = getattr(options, "method", "raster")
+    return render(setup, options.size or DEFAULT_SIZE, options.renderer, method)
+
+
+def compare(options: Namespace) -> int:
+    """Print how two pictures differ; status 1 beyond the tolerance."""
+    from playground.measure.compare import compare
+
+    result = compare(_picture_or_setup(options, options.a), _picture_or_setup(options, options.b))
+    if options.output is not None:
+        result.heatmap().save(options.output)
+    print(result.to_json() if options.json else result)
+    return int(options.tolerance is not None and result.max > options.tolerance)
+
+
+def _picture_or_setup(options: Namespace, name: str) -> Image:
+    from playground.render.image_file import SUFFIXES, read_image
+
+    if Path(name).suffix.lower() in SUFFIXES:
+        return read_image(Path(name))
+    return _picture(options, _setup(options, name))
+
+
+def explain(options: Namespace) -> int:
+    """Print why a pixel has its colour."""
+    from playground.explain.pixel import explain
+
+    why = explain(_setup(options), tuple(options.pixel), options.size or DEFAULT_SIZE)
+    if options.json:
+        _print_json(why.to_dict())
+    else:
+        print(why.latex() if options.latex else why.text())
+    return 0
+
+
+def measure(options: Namespace) -> int:
+    """Run experiments, print and write their tables."""
+    from playground.measure.experiments import run_experiments
+
+    return run_experiments(options.experiments, options.output, options.rounds, options.json)
+
+
+def doctor(options: Namespace) -> int:
+    """Print what works on this machine."""
+    from playground.doctor import examine, report
+
+    findings = examine()
+    if options.json:
+        _print_json(findings)
+    else:
+        print(report(findings))
+    return 0
+
+
+def _print_json(value: Any) -> None:
+    import json
+
+    print(json.dumps(value))
+
+
+def _say(text: str) -> None:
+    print(text, file=sys.stderr)
+
+
+def _hint(asked: str, took: str) -> None:
+    """Where NumPy stepped in for a missing driver, say how to get one."""
+    if asked == "auto" and took == "numpy":
+        from playground.render.gl.context import INSTALL_DRIVER
+
+        _say(f"no GL driver was found, so NumPy drew it; for speed: {INSTALL_DRIVER}")
