@@ -35,22 +35,25 @@ class Needs:
     exposure: bool = False
     curve: bool = False
     wrap: bool = False
+    bugs: tuple[str, ...] = ()
 
     @property
     def defines(self) -> dict[str, int]:
         """The features as preprocessor symbols: ``POINT_LIGHTS 1``, ``SPECULAR 0``, ..."""
-        names = [f.name for f in fields(self) if f.name != "shading"]
+        names = [f.name for f in fields(self) if f.name not in ("shading", "bugs")]
         return {name.upper(): int(getattr(self, name)) for name in names}
 
     def describe(self) -> str:
         """The features in use, in one line of words."""
         words = [self.shading]
-        for name in (f.name for f in fields(self) if f.name != "shading"):
+        for name in self.defines:
+            name = name.lower()
             value = getattr(self, name)
             if value is True:
                 words.append(name.replace("_", " "))
             elif value:
                 words.append(f"{value} {name.replace('_', ' ')}"[: None if value > 1 else -1])
+        words += [f"bug: {bug}" for bug in self.bugs]
         return ", ".join(words)
 
 
@@ -78,4 +81,5 @@ def needs(surface: Surface, view: View, settings: Settings, display: bool = Fals
         exposure=display and settings.exposure != 1.0,
         curve=display and settings.curve == "srgb",
         wrap=display and not settings.clamp,
+        bugs=settings.bugs,
     )

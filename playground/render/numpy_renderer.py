@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from playground.errors import PlaygroundError
 from playground.render.image import Image
 from playground.render.raster.rasterize import Frame, rasterize
 from playground.render.renderer import check_out
@@ -38,6 +39,12 @@ class NumpyRenderer:
         """Draw ``setup``; see `playground.render.renderer.Renderer.render`."""
         if out is not None:
             check_out(out, self.size)
+        if setup.settings.bugs:
+            raise PlaygroundError(
+                "the NumPy renderer is the reference and makes no mistakes",
+                got=f"bugs = {', '.join(setup.settings.bugs)}",
+                fix="Use --renderer gl, or --set bugs= for none.",
+            )
         colour = np.zeros((self.size[1], self.size[0], 3))
         covered = np.zeros((self.size[1], self.size[0]))
         offsets = sample_offsets(setup.settings.samples)

@@ -14,7 +14,7 @@ from math import frexp, radians, tan
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from playground.render.projection import clip_matrix, fit_depth
+from playground.render.projection import clip_matrix, fit_depth, view_rotation
 from playground.render.surface import Surface
 from playground.scene.camera import Camera
 
@@ -31,6 +31,7 @@ class View:
     far: float
     fov: float  # degrees, vertical
     clip_from_eye: Array  # (4, 4): from eye-relative positions to clip space
+    camera_from_world: Array  # (3, 3): from world axes to x right, y up, z towards the viewer
 
     def relative(self, points: ArrayLike) -> Array:
         """World points (..., 3) relative to the eye, scaled."""
@@ -71,4 +72,4 @@ def view_of(camera: Camera, surfaces: tuple[Surface, ...], size: tuple[int, int]
     near, far = fit_depth(camera, [surface.ball for surface in surfaces])
     scale = 2.0 ** -frexp(far)[1]
     clip = clip_matrix(camera, size[0] / size[1], near * scale, far * scale)
-    return View(np.array(camera.eye), scale, near, far, camera.fov, clip)
+    return View(np.array(camera.eye), scale, near, far, camera.fov, clip, view_rotation(camera))

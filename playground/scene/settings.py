@@ -16,6 +16,14 @@ class Shading(StrEnum):
     PER_FRAGMENT = "per-fragment"
 
 
+BUGS = (  # the names of shaders/bugs.toml; a test holds the two together
+    "normal-not-renormalised",
+    "wrong-normal-matrix",
+    "missing-max",
+    "light-in-wrong-space",
+    "light-vector-not-normalised",
+    "srgb-twice",
+)
 TERMS = ("diffuse", "specular", "ambient", "emissive")
 
 
@@ -43,6 +51,8 @@ class Settings(Declared):
     clamp: bool = switch(True, help="display: cut at 0 and 1; without it 8-bit codes wrap around")
     curve: str = choice("none", ("none", "srgb"), help="display: transfer curve after clamping")
     samples: int = integer(1, 1, 16, help="anti-aliasing samples per pixel")
+
+    bugs: tuple[str, ...] = names((), BUGS, help="classic mistakes to make, on the GPU only")
 
     @property
     def weights(self) -> dict[str, float]:

@@ -97,7 +97,9 @@ def sources_for(needs: Needs, constants: Mapping[str, Any] | None = None) -> tup
     defines["INTERPOLATION"] = INTERPOLATION[needs.shading]
     if constants and float(constants["shininess"]) in range(1, LARGEST_WHOLE + 1):
         defines["WHOLE_EXPONENT"] = int(constants["shininess"])
-    vertex, fragment = (assemble(stage, defines) for stage in STAGES[needs.shading])
+    vertex, fragment = (
+        assemble(stage, defines, bugs=needs.bugs) for stage in STAGES[needs.shading]
+    )
     return bake(vertex, constants or {}), bake(fragment, constants or {})
 
 

@@ -51,12 +51,24 @@ class Source:
 
 
 @cache
-def _read(name: str) -> tuple[str, ...]:
-    return tuple(locate.shader(name).read_text(encoding="utf-8").splitlines())
+def _read(name: str, bugs: tuple[str, ...]) -> tuple[str, ...]:
+    text = locate.shader(name).read_text(encoding="utf-8")
+    if bugs:
+        from playground.render.gl.bugs import with_bugs
+
+        text = with_bugs(name, text, bugs)
+    return tuple(text.splitlines())
 
 
-def assemble(name: str, defines: Mapping[str, object] | None = None, tail: str = "") -> Source:
+def assemble(
+    name: str,
+    defines: Mapping[str, object] | None = None,
+    tail: str = "",
+    bugs: tuple[str, ...] = (),
+) -> Source:
     """Expand the shader file ``name`` with ``defines`` on top and ``tail`` below.
+
+    ``bugs`` are classic mistakes to make on the way, see `playground.render.gl.bugs`.
 
     Raises
     ------
@@ -68,7 +80,7 @@ def assemble(name: str, defines: Mapping[str, object] | None = None, tail: str =
     for key, value in (defines or {}).items():
         lines.append(f"#define {key} {int(value) if isinstance(value, bool) else value}")
         origin.append(("(defines)", len(lines)))
-    _expand(name, lines, origin, ())
+    _expand(name, lines, origin, (), bugs)
     for number, line in enumerate(tail.splitlines(), 1):
         lines.append(line)
         origin.append(("(tail)", number))
@@ -76,14 +88,18 @@ def assemble(name: str, defines: Mapping[str, object] | None = None, tail: str =
 
 
 def _expand(
-    name: str, lines: list[str], origin: list[tuple[str, int]], above: tuple[str, ...]
+    name: str,
+    lines: list[str],
+    origin: list[tuple[str, int]],
+    above: tuple[str, ...],
+    bugs: tuple[str, ...],
 ) -> None:
     def emit(text: str, number: int) -> None:
         lines.append(text)
         origin.append((name, number))
 
     emit(f"// from: {name}", 1)
-    for number, line in enumerate(_read(name), 1):
+    for number, line in enumerate(_read(name, bugs), 1):
         found = _INCLUDE.match(line)
         if not found:
             emit(line, number)
@@ -96,7 +112,7 @@ def _expand(
         guard = "INCLUDED_" + re.sub(r"\W", "_", wanted)
         emit(f"#ifndef {guard}", number)
         emit(f"#define {guard}", number)
-        _expand(wanted, lines, origin, (*above, name))
+        _expand(wanted, lines, origin, (*above, name), bugs)
         emit("#endif", number)
         emit(f"// from: {name}", number)
 

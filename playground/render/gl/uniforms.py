@@ -20,6 +20,8 @@ def view_uniforms(surface: Surface, view: View) -> dict[str, Any]:
         "clip_from_object": clip_from_object,
         "eye_from_object": eye_from_object[:3],
         "normal_from_object": surface.normal_from_object,
+        "camera_from_world": view.camera_from_world,  # these two are for the bug zoo alone
+        "world_unit": view.scale,
     }
     for kind in ("point", "spot"):
         lights = [light for light in surface.lights if light.kind == kind]
