@@ -52,6 +52,21 @@ class View:
         """Where the eye stands in the space of a mesh whose matrix can be inverted, (3,)."""
         return np.asarray(np.linalg.solve(surface.linear, self.eye - surface.origin))
 
+    def window(self, points: ArrayLike, size: tuple[int, int]) -> tuple[Array, Array]:
+        """Where world points (..., 3) appear: pixels (..., 2) from the top left, and depth (...).
+
+        Depth runs from 0 at the near to 1 at the far plane; points behind the eye have
+        a depth of infinity and no place (NaN).
+        """
+        relative = self.relative(points)
+        clip = relative @ self.clip_from_eye[:, :3].T + self.clip_from_eye[:, 3]
+        w = clip[..., 3:]
+        ahead = w > 0.0
+        ndc = np.where(ahead, clip[..., :3], np.nan) / np.where(ahead, w, 1.0)
+        pixels = (ndc[..., :2] * (1.0, -1.0) + 1.0) / 2.0 * np.array(size)
+        depth = np.where(ahead[..., 0], (ndc[..., 2] + 1.0) / 2.0, np.inf)
+        return np.asarray(pixels), np.asarray(depth)
+
     def pixel(self, height: int) -> float:
         """The side of a pixel at distance 1, for a picture of ``height`` rows."""
         return 2.0 * tan(radians(self.fov) / 2.0) / height
