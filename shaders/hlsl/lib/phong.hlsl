@@ -1,0 +1,62 @@
+// The Phong model: four terms and their sum.
+//
+//     max(n·l, 0) s_d ⊗ m_d + max(r·v, 0)^sh s_s ⊗ m_s + s_a ⊗ m_a + m_e
+//
+// Twin: shaders/lib/phong.glsl. n, l, v, r are unit vectors that point away from
+// the surface. Source: Phong, CACM 18(6), 1975.
+#ifndef PHONG_HLSL
+#define PHONG_HLSL
+#include "vector.hlsl"
+#include "power.hlsl"
+
+// s ⊗ m: each colour channel of the light, weakened by that of the material.
+float3 component_filter(float3 light, float3 material) {
+    return light * material;
+}
+
+// max(n·l, 0): Lambert's law.
+float diffuse_factor(float3 normal, float3 to_light) {
+    return max(dot(normal, to_light), 0.0);
+}
+
+// max(r·v, 0)^sh: the highlight around the reflection vector.
+float specular_factor(float3 normal, float3 to_light, float3 to_eye, float shininess) {
+    return lobe(reflection(normal, to_light), to_eye, shininess);
+}
+
+// max(n·h, 0)^sh: Blinn's alternative with the halfway vector.
+float blinn_factor(float3 normal, float3 to_light, float3 to_eye, float shininess) {
+    return lobe(normal, halfway(to_light, to_eye), shininess);
+}
+
+// 1 where the light is above the surface, n·l > 0, and 0 elsewhere.
+float gate(float3 normal, float3 to_light) {
+    return dot(normal, to_light) > 0.0 ? 1.0 : 0.0;
+}
+
+// factor · s_d ⊗ m_d.
+float3 diffuse_term(float factor, float3 light, float3 material) {
+    return factor * component_filter(light, material);
+}
+
+// factor · s_s ⊗ m_s.
+float3 specular_term(float factor, float3 light, float3 material) {
+    return factor * component_filter(light, material);
+}
+
+// s_a ⊗ m_a: light from everywhere, scattered everywhere.
+float3 ambient_term(float3 light, float3 material) {
+    return component_filter(light, material);
+}
+
+// m_e: what the surface sends out by itself.
+float3 emissive_term(float3 material) {
+    return material;
+}
+
+// The sum of the four terms, each times its weight (a switch, or a fader).
+float3 weighted_sum(float3 diffuse, float3 specular, float3 ambient, float3 emissive, float4 weights) {
+    return weights.x * diffuse + weights.y * specular + weights.z * ambient + weights.w * emissive;
+}
+
+#endif
