@@ -2,6 +2,7 @@
 // nothing is left to compute ("the simplest fragment shader" of the lecture).
 #include "present.glsl"
 #if TEXTURE
+#include "lib/phong.glsl"
 #include "lib/texture.glsl"
 #include "interface/texture.glsl"
 in vec2 texcoord;
@@ -28,7 +29,7 @@ void main() {
 #else
     vec3 diffuse = front_diffuse;
 #endif
-    shown += diffuse * bilinear(diffuse_texels, texcoord);
+    shown += component_filter(diffuse, bilinear(diffuse_texels, texcoord));
 #endif
     colour = present(shown);
 }

@@ -20,7 +20,7 @@ void main() {
     vec3 diffuse, rest;
     shade(position, unit_normal, diffuse, rest);
 #if TEXTURE
-    diffuse *= bilinear(diffuse_texels, texcoord);
+    diffuse = component_filter(diffuse, bilinear(diffuse_texels, texcoord));
 #endif
     colour = present(diffuse + rest);
 }

@@ -9,7 +9,7 @@
 void add_light(vec3 normal, vec3 to_light, vec3 to_eye, float strength,
                vec3 diffuse_product, vec3 specular_product, inout vec3 diffuse, inout vec3 rest) {
 #if DIFFUSE
-    diffuse += strength * diffuse_factor(normal, to_light) * diffuse_product;
+    diffuse += diffuse_term(strength * diffuse_factor(normal, to_light), diffuse_product);
 #endif
 #if SPECULAR
 #if BLINN
@@ -20,7 +20,7 @@ void add_light(vec3 normal, vec3 to_light, vec3 to_eye, float strength,
 #if GATE
     factor *= gate(normal, to_light);
 #endif
-    rest += strength * factor * specular_product;
+    rest += specular_term(strength * factor, specular_product);
 #endif
 }
 
@@ -39,26 +39,27 @@ void shade(vec3 position, vec3 normal, out vec3 diffuse, out vec3 rest) {
 
 #if POINT_LIGHTS > 0
     for (int i = 0; i < POINT_LIGHTS; ++i) {
-        vec3 difference = point_position[i] - position;
 #if ATTENUATION
-        vec3 k = point_attenuation[i];
-        float strength = min(attenuation(length(difference), k.x, k.y, k.z), BRIGHTEST);
+        float distance;
+        vec3 to_light = toward(position, point_position[i], distance), k = point_attenuation[i];
+        float strength = min(attenuation(distance, k.x, k.y, k.z), BRIGHTEST);
 #else
+        vec3 to_light = unit_moderate(point_position[i] - position);
         const float strength = 1.0;
 #endif
-        add_light(normal, unit_moderate(difference), to_eye, strength,
+        add_light(normal, to_light, to_eye, strength,
                   point_diffuse[i], point_specular[i], diffuse, rest);
     }
 #endif
 
 #if SPOT_LIGHTS > 0
     for (int i = 0; i < SPOT_LIGHTS; ++i) {
-        vec3 difference = spot_position[i] - position;
-        vec3 to_light = unit_moderate(difference);
+        float distance;
+        vec3 to_light = toward(position, spot_position[i], distance);
         float strength = spot_cone(spot_axis[i], -to_light, spot_edge_width[i].x, spot_edge_width[i].y);
 #if ATTENUATION
         vec3 k = spot_attenuation[i];
-        strength *= min(attenuation(length(difference), k.x, k.y, k.z), BRIGHTEST);
+        strength *= min(attenuation(distance, k.x, k.y, k.z), BRIGHTEST);
 #endif
         add_light(normal, to_light, to_eye, strength,
                   spot_diffuse[i], spot_specular[i], diffuse, rest);

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from playground.errors import PlaygroundError
 from playground.render.needs import needs
 from playground.render.numpy_renderer import eye_normals, eye_positions, visibility
-from playground.render.renderer import check_size
+from playground.render.renderer import check_setup, check_size
 from playground.render.shade import Contribution, contribution
 from playground.render.surface import Surface, surfaces
 from playground.render.view import View, view_of
@@ -26,22 +26,29 @@ from playground.scene.setup import Setup
 from playground.shading.display import code8, display_colour
 from playground.shading.phong import ambient_term, component_filter, emissive_term
 from playground.shading.texture import bilinear
-from playground.shading.vector import Array, reflection, turned_to_eye, unit
+from playground.shading.vector import Array, halfway, reflection, turned_to_eye, unit
 
 
 @dataclass(frozen=True, eq=False)
 class LightAtPoint:
-    """What one light does at one point: vectors (3,), cosines, and its terms (3,), weighted."""
+    """What one light does at one point: vectors (3,), cosines, and its terms (3,), weighted.
+
+    ``specular_cosine`` is what is raised to the shininess, r·v or n·h; ``gated`` says
+    that the gate on n·l has put the highlight out.
+    """
 
     kind: str
     to_light: Array
     reflection: Array
+    halfway: Array
     n_dot_l: float
     r_dot_v: float
     rho: float  # degrees between r and v
     strength: float
     diffuse_factor: float
+    specular_cosine: float
     specular_factor: float
+    gated: bool
     light_diffuse: Array
     light_specular: Array
     light_ambient: Array
@@ -58,7 +65,7 @@ class ShadedPoint:
     normal: Array
     to_eye: Array
     lights: tuple[LightAtPoint, ...]
-    material_diffuse: Array
+    material_diffuse: Array  # m_d, filtered by the texture
     emissive: Array
     colour: Array
 
@@ -120,6 +127,7 @@ def explain(
     PlaygroundError
         The pixel is outside the picture.
     """
+    check_setup(setup)
     width, height = check_size(size)
     x, y = _check_pixel(pixel, width, height)
     settings = setup.settings
@@ -207,7 +215,7 @@ def _shaded_point(
         added = contribution(prepared, surface, view, setup.settings, position, normal)
         light = setup.scene.lights[i]
         ambient = weights["ambient"] * ambient_term(light.ambient, material.ambient)
-        lights.append(_light_at_point(light, added, normal, unit(-position), texel, ambient))
+        lights.append(_light_at_point(setup, light, added, normal, unit(-position), texel, ambient))
     emissive = weights["emissive"] * emissive_term(material.emissive)
     terms = [x.diffuse + x.specular + x.ambient for x in lights]
     return ShadedPoint(
@@ -222,20 +230,30 @@ def _shaded_point(
 
 
 def _light_at_point(
-    light: Light, added: Contribution, normal: Array, to_eye: Array, texel: Array, ambient: Array
+    setup: Setup,
+    light: Light,
+    added: Contribution,
+    normal: Array,
+    to_eye: Array,
+    texel: Array,
+    ambient: Array,
 ) -> LightAtPoint:
-    mirrored = reflection(normal, added.to_light)
-    r_dot_v = float(np.dot(mirrored, to_eye))
+    mirrored, half = reflection(normal, added.to_light), halfway(added.to_light, to_eye)
+    r_dot_v, n_dot_l = float(np.dot(mirrored, to_eye)), float(np.dot(normal, added.to_light))
+    blinn = setup.settings.highlight == "blinn"
     return LightAtPoint(
         kind=light.kind,
         to_light=added.to_light,
         reflection=mirrored,
-        n_dot_l=float(np.dot(normal, added.to_light)),
+        halfway=half,
+        n_dot_l=n_dot_l,
         r_dot_v=r_dot_v,
         rho=degrees(acos(min(max(r_dot_v, -1.0), 1.0))),
         strength=float(added.strength),
         diffuse_factor=float(added.diffuse_factor),
+        specular_cosine=float(np.dot(normal, half)) if blinn else r_dot_v,
         specular_factor=float(added.specular_factor),
+        gated=setup.settings.gate and n_dot_l <= 0.0,
         light_diffuse=np.array(light.diffuse),
         light_specular=np.array(light.specular),
         light_ambient=np.array(light.ambient),

@@ -9,6 +9,7 @@ from playground.scene.settings import TERMS
 
 if TYPE_CHECKING:
     from playground.explain.pixel import Explanation, LightAtPoint, ShadedPoint
+    from playground.scene.material import Material
 
 CORNERS = "ABC"
 
@@ -51,36 +52,72 @@ def _point(why: Explanation, point: ShadedPoint) -> list[str]:
     for i, light in enumerate(point.lights):
         lines += [f"  light {i} ({light.kind})", *_light(why, point, light)]
     weight = why.setup.settings.weights["emissive"]
-    lines.append(f"  emissive  {_weight(weight)}m_e = {_triple(point.emissive)}")
+    symbols, factors = _scaling(weight, 1.0)
+    emitted = f"{symbols}m_e = {factors}{_triple(_material(why).emissive)}"
+    lines.append(f"  emissive  {emitted}" if weight else "  emissive  switched off")
     lines.append(f"  sum       {_triple(point.colour)}")
     return lines
 
 
 def _light(why: Explanation, point: ShadedPoint, light: LightAtPoint) -> list[str]:
-    material = why.setup.scene.objects[why.object or 0].material
-    weights = why.setup.settings.weights
-    blinn = why.setup.settings.highlight == "blinn"
-    base = "n·h" if blinn else "r·v"
-    strength = f"{light.strength:.4f} · " if light.strength != 1.0 else ""
-    return [
-        f"    l = {_triple(light.to_light)}   to_light"
-        + (f"   arriving: {light.strength:.6f} of it" if strength else ""),
+    arriving = f"   arriving: {light.strength:.6g} of it" if light.strength != 1.0 else ""
+    lines = [
+        f"    l = {_triple(light.to_light)}   to_light{arriving}",
         f"    r = {_triple(light.reflection)}   reflection   ρ = {light.rho:.2f}°",
-        f"    diffuse   {_weight(weights['diffuse'])}{strength}max(n·l, 0) s_d ⊗ m_d = "
-        f"{light.diffuse_factor:.4f} {_triple(light.light_diffuse)} ⊗ "
-        f"{_triple(point.material_diffuse)} = {_triple(light.diffuse)}",
-        f"    specular  {_weight(weights['specular'])}{strength}max({base}, 0)^{why.shininess:g}"
-        f" s_s ⊗ m_s = "
-        + ("" if blinn else f"{max(light.r_dot_v, 0.0):.4f}^{why.shininess:g} = ")
-        + f"{light.specular_factor:.4g} {_triple(light.light_specular)} ⊗ "
-        f"{_triple(material.specular)} = {_triple(light.specular)}",
-        f"    ambient   {_weight(weights['ambient'])}s_a ⊗ m_a = "
-        f"{_triple(light.light_ambient)} ⊗ {_triple(material.ambient)} = {_triple(light.ambient)}",
     ]
+    if why.setup.settings.highlight == "blinn":
+        lines.append(f"    h = {_triple(light.halfway)}   halfway")
+    return [*lines, _diffuse(why, point, light), _specular(why, light), _ambient(why, light)]
 
 
-def _weight(weight: float) -> str:
-    return "" if weight == 1.0 else f"{weight:g} · "
+def _diffuse(why: Explanation, point: ShadedPoint, light: LightAtPoint) -> str:
+    weight = why.setup.settings.weights["diffuse"]
+    if weight == 0.0:
+        return "    diffuse   switched off"
+    symbols, factors = _scaling(weight, light.strength)
+    return (
+        f"    diffuse   {symbols}max(n·l, 0) s_d ⊗ m_d = {factors}{light.diffuse_factor:.4f} "
+        f"{_triple(light.light_diffuse)} ⊗ {_triple(point.material_diffuse)} = "
+        f"{_triple(light.diffuse)}"
+    )
+
+
+def _specular(why: Explanation, light: LightAtPoint) -> str:
+    weight = why.setup.settings.weights["specular"]
+    if weight == 0.0:
+        return "    specular  switched off"
+    if light.gated:
+        return f"    specular  gated: n·l = {light.n_dot_l:.4f} is not above 0"
+    symbols, factors = _scaling(weight, light.strength)
+    base = "n·h" if why.setup.settings.highlight == "blinn" else "r·v"
+    cosine = max(light.specular_cosine, 0.0)
+    return (
+        f"    specular  {symbols}max({base}, 0)^{why.shininess:g} s_s ⊗ m_s = "
+        f"{factors}{cosine:.4f}^{why.shininess:g} {_triple(light.light_specular)} ⊗ "
+        f"{_triple(_material(why).specular)} = {_triple(light.specular)}"
+    )
+
+
+def _ambient(why: Explanation, light: LightAtPoint) -> str:
+    weight = why.setup.settings.weights["ambient"]
+    if weight == 0.0:
+        return "    ambient   switched off"
+    symbols, factors = _scaling(weight, 1.0)
+    return (
+        f"    ambient   {symbols}s_a ⊗ m_a = {factors}{_triple(light.light_ambient)} ⊗ "
+        f"{_triple(_material(why).ambient)} = {_triple(light.ambient)}"
+    )
+
+
+def _scaling(weight: float, strength: float) -> tuple[str, str]:
+    """The weight w of a term and the share a of the light that arrives: symbols, numbers."""
+    scales = [("w", f"{weight:g}")] if weight != 1.0 else []
+    scales += [("a", f"{strength:.4g}")] if strength != 1.0 else []
+    return "".join(f"{s} · " for s, _ in scales), "".join(f"{n} · " for _, n in scales)
+
+
+def _material(why: Explanation) -> Material:
+    return why.setup.scene.objects[why.object or 0].material
 
 
 def _ending(why: Explanation) -> list[str]:
@@ -97,26 +134,44 @@ def _ending(why: Explanation) -> list[str]:
 
 
 def latex(why: Explanation) -> str:
-    """The equation of the lecture, then the same with this pixel's numbers."""
-    general = (
-        r"\max(n\cdot l,0)\,s_d\otimes m_d+(\max(r\cdot v,0))^{sh}\,s_s\otimes m_s"
-        r"+s_a\otimes m_a+m_e"
-    )
-    lines = [general]
+    """The equation of the lecture as it is set, then the same with this pixel's numbers."""
+    weights, lines = why.setup.settings.weights, [_formula(why)]
     for name, weight, corner in zip(CORNERS, why.weights, why.corners, strict=False):
-        terms = [
-            f"{x.diffuse_factor:.4f}\\,{_vector(x.light_diffuse)}\\otimes"
-            f"{_vector(corner.material_diffuse)}"
-            f"+{max(x.r_dot_v, 0):.4f}^{{{why.shininess:g}}}\\,{_vector(x.light_specular)}"
-            f"\\otimes{_vector(why.setup.scene.objects[why.object or 0].material.specular)}"
-            f"+{_vector(x.ambient)}"
-            for x in corner.lights
-        ]
+        sums = []
+        for light in corner.lights:
+            if weights["diffuse"]:
+                product = (
+                    f"{_vector(light.light_diffuse)}\\otimes{_vector(corner.material_diffuse)}"
+                )
+                factors = _scaling(weights["diffuse"], light.strength)[1].replace("·", "\\cdot")
+                sums.append(f"{factors}{light.diffuse_factor:.4f}\\,{product}")
+            if weights["specular"] and not light.gated:
+                product = (
+                    f"{_vector(light.light_specular)}\\otimes{_vector(_material(why).specular)}"
+                )
+                factors = _scaling(weights["specular"], light.strength)[1].replace("·", "\\cdot")
+                power = f"{max(light.specular_cosine, 0.0):.4f}^{{{why.shininess:g}}}"
+                sums.append(f"{factors}{power}\\,{product}")
+            if weights["ambient"]:
+                sums.append(_vector(light.ambient))
+        sums += [_vector(corner.emissive)] if weights["emissive"] else []
         label = f"{weight:.4f}\\,c_{name}:\\ " if len(why.corners) > 1 else ""
-        sums = "+".join([*terms, _vector(corner.emissive)])
-        lines.append(f"{label}{sums}={_vector(corner.colour)}")
+        lines.append(f"{label}{'+'.join(sums) or '0'}={_vector(corner.colour)}")
     lines.append(f"{_vector(why.colour)}\\to{_vector(why.shown)}")
     return " \\\\\n".join(lines)
+
+
+def _formula(why: Explanation) -> str:
+    """The four terms, those that are switched on."""
+    base = r"n\cdot h" if why.setup.settings.highlight == "blinn" else r"r\cdot v"
+    terms = {
+        "diffuse": r"\max(n\cdot l,0)\,s_d\otimes m_d",
+        "specular": rf"(\max({base},0))^{{sh}}\,s_s\otimes m_s",
+        "ambient": r"s_a\otimes m_a",
+        "emissive": "m_e",
+    }
+    weights = why.setup.settings.weights
+    return "+".join(terms[term] for term in TERMS if weights[term]) or "0"
 
 
 def _vector(values: Iterable[float]) -> str:
@@ -134,6 +189,8 @@ def to_dict(why: Explanation) -> dict[str, Any]:
         "triangle": why.triangle,
         "shininess": why.shininess,
         "needs": why.needs,
+        "term_weights": why.setup.settings.weights,
+        "material": None if why.object is None else _material_dict(why),
         "weights": [float(w) for w in why.weights] if why.corners else [],
         "points": [_point_dict(corner) for corner in why.corners],
         "terms": _terms(why),
@@ -141,6 +198,11 @@ def to_dict(why: Explanation) -> dict[str, Any]:
         "shown": _plain(why.shown),
         "code": [int(code) for code in why.codes],
     }
+
+
+def _material_dict(why: Explanation) -> dict[str, Any]:
+    material = _material(why)
+    return {name: list(getattr(material, name)) for name in TERMS}
 
 
 def _terms(why: Explanation) -> dict[str, list[float]]:
@@ -160,6 +222,7 @@ def _point_dict(point: ShadedPoint) -> dict[str, Any]:
         "position": _plain(point.position),
         "normal": _plain(point.normal),
         "to_eye": _plain(point.to_eye),
+        "material_diffuse": _plain(point.material_diffuse),
         "lights": [
             {name: _plain(getattr(light, name)) for name in light.__dataclass_fields__}
             for light in point.lights

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from playground.errors import PlaygroundError
 from playground.render.image import Image
 from playground.render.raster.rasterize import Frame, rasterize
-from playground.render.renderer import check_out
+from playground.render.renderer import check_out, check_setup
 from playground.render.shade import shade
 from playground.render.surface import Surface, surfaces
 from playground.render.view import View, view_of
@@ -37,6 +37,7 @@ class NumpyRenderer:
 
     def render(self, setup: Setup, out: NDArray[Any] | None = None) -> Image | NDArray[Any]:
         """Draw ``setup``; see `playground.render.renderer.Renderer.render`."""
+        check_setup(setup)
         if out is not None:
             check_out(out, self.size)
         if setup.settings.bugs:

@@ -101,15 +101,22 @@ def render(
     PlaygroundError
         An unknown name, an impossible size, or ``renderer="gl"`` without a driver.
     """
-    if not isinstance(setup, Setup):
-        raise PlaygroundError(
-            "render takes a setup", got=type(setup).__name__, fix='Make one with load("teapot").'
-        )
+    check_setup(setup)
     check_method(method)
     with open_renderer(size, renderer) as opened:
         image = opened.render(setup)
     assert isinstance(image, Image)
     return image
+
+
+def check_setup(setup: Any) -> None:
+    """Raise an error for something that is no setup."""
+    if not isinstance(setup, Setup):
+        raise PlaygroundError(
+            "what is rendered is a setup",
+            got=type(setup).__name__,
+            fix='Make one with load("teapot").',
+        )
 
 
 def check_method(method: str) -> None:
@@ -127,7 +134,7 @@ def check_size(size: Any) -> tuple[int, int]:
     try:
         width, height = (int(side) for side in size)
         whole = (width, height) == tuple(size)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         whole = False
     if not whole or not (1 <= width <= LARGEST_SIDE and 1 <= height <= LARGEST_SIDE):
         raise PlaygroundError(

@@ -13,7 +13,14 @@ from playground.render.surface import Surface, SurfaceLight
 from playground.render.view import View
 from playground.scene.settings import Settings
 from playground.shading.light import BRIGHTEST, attenuation, spot_cone, toward
-from playground.shading.phong import blinn_factor, diffuse_factor, gate, specular_factor
+from playground.shading.phong import (
+    blinn_factor,
+    diffuse_factor,
+    diffuse_term,
+    gate,
+    specular_factor,
+    specular_term,
+)
 from playground.shading.vector import Array, unit
 
 
@@ -55,8 +62,8 @@ def contribution(
         strength,
         lambert,
         highlight,
-        (strength * lambert)[..., None] * light.diffuse,
-        (strength * highlight)[..., None] * light.specular,
+        diffuse_term(strength * lambert, light.diffuse),
+        specular_term(strength * highlight, light.specular),
     )
 
 

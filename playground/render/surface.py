@@ -18,8 +18,8 @@ from playground.scene.mesh import Mesh
 from playground.scene.scene import Object, Scene
 from playground.scene.setup import ball_of
 from playground.shading.light import cone
-from playground.shading.phong import ambient_term, component_filter, emissive_term
-from playground.shading.vector import normal_matrix, unit
+from playground.shading.phong import ambient_term, component_filter, emissive_term, weighted_sum
+from playground.shading.vector import normal_matrix, orientation, unit
 
 Array = NDArray[np.float64]
 NO_ATTENUATION = (1.0, 0.0, 0.0)
@@ -84,8 +84,9 @@ def _surface(item: Object, lights: tuple[Light, ...], weights: dict[str, float])
 
     material = item.material
     ambient = sum((ambient_term(x.ambient, material.ambient) for x in lights), np.zeros(3))
-    constant = weights["ambient"] * ambient
-    constant = constant + weights["emissive"] * emissive_term(material.emissive)
+    constant = weighted_sum(
+        0.0, 0.0, ambient, emissive_term(material.emissive), list(weights.values())
+    )
     textured = material.texture and geometry.mesh.texcoords is not None
     return Surface(
         mesh=geometry.mesh,
@@ -93,7 +94,7 @@ def _surface(item: Object, lights: tuple[Light, ...], weights: dict[str, float])
         origin=world[:3, 3] + linear @ geometry.offset,
         normal_from_object=normals,
         ball=ball_of(item),
-        mirrored=bool(np.linalg.det(linear / (np.max(np.abs(linear)) or 1.0)) < 0.0),
+        mirrored=orientation(linear) < 0.0,
         stretched=stretched,
         constant_terms=constant,
         shininess=material.shininess,

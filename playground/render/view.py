@@ -14,11 +14,12 @@ from math import frexp, radians, tan
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from playground.render.projection import clip_matrix, fit_depth, view_rotation
+from playground.render.projection import clip_matrix, fit_depth, vertical_angle, view_rotation
 from playground.render.surface import Surface
 from playground.scene.camera import Camera
 
 Array = NDArray[np.float64]
+FARTHEST = 1e12  # scene sizes: from there light arrives parallel, to 40 bits
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,7 +30,7 @@ class View:
     scale: float  # one unit of the world in units of eye-relative space; a power of two
     near: float  # world units
     far: float
-    fov: float  # degrees, vertical
+    fov: float  # degrees, vertical for this picture
     clip_from_eye: Array  # (4, 4): from eye-relative positions to clip space
     camera_from_world: Array  # (3, 3): from world axes to x right, y up, z towards the viewer
 
@@ -78,8 +79,21 @@ class View:
     def two_sided(self, surface: Surface) -> bool:
         """Whether its inside may be seen: it is open, or the near plane may cut into it."""
         centre, radius = surface.ball
-        distance = float(np.linalg.norm(centre - self.eye)) - radius
-        return distance <= self.near or not surface.mesh.cullable
+        depth = -float(self.camera_from_world[2] @ (centre - self.eye))
+        return depth - radius <= self.near or not surface.mesh.cullable
+
+    def light_place(
+        self, position: Array, k: tuple[float, float, float]
+    ) -> tuple[Array, tuple[float, float, float]]:
+        """A light relative to the eye (3,), and its attenuation for distances there.
+
+        A light farther than `FARTHEST` is moved there along its direction, and the
+        factors make up for it: no shader could tell, and no float32 square overflows.
+        """
+        relative = self.relative(position)
+        factor = max(float(np.max(np.abs(relative))) / FARTHEST, 1.0)
+        constant, linear, quadratic = self.attenuation(k)
+        return relative / factor, (constant, linear * factor, quadratic * factor**2)
 
 
 def view_of(camera: Camera, surfaces: tuple[Surface, ...], size: tuple[int, int]) -> View:
@@ -87,4 +101,5 @@ def view_of(camera: Camera, surfaces: tuple[Surface, ...], size: tuple[int, int]
     near, far = fit_depth(camera, [surface.ball for surface in surfaces])
     scale = 2.0 ** -frexp(far)[1]
     clip = clip_matrix(camera, size[0] / size[1], near * scale, far * scale)
-    return View(np.array(camera.eye), scale, near, far, camera.fov, clip, view_rotation(camera))
+    fov = vertical_angle(camera, size[0] / size[1])
+    return View(np.array(camera.eye), scale, near, far, fov, clip, view_rotation(camera))

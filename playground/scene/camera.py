@@ -21,7 +21,13 @@ class Camera(Declared):
     eye: tuple[float, float, float] = vector(2.0, 1.5, 3.0, help="where the viewer stands")
     target: tuple[float, float, float] = vector(0.0, 0.0, 0.0, help="the point looked at")
     up: tuple[float, float, float] = vector(0.0, 1.0, 0.0, help="which way is up in the picture")
-    fov: float = number(40.0, 0.01, 170.0, unit="degrees", help="vertical angle of view")
+    fov: float = number(
+        40.0,
+        0.01,
+        170.0,
+        unit="degrees",
+        help="angle of view across the shorter side of the picture",
+    )
     near: float = number(0.0, 0.0, help="nearest distance drawn; 0 fits it to the scene")
     far: float = number(0.0, 0.0, help="farthest distance drawn; 0 fits it to the scene")
 

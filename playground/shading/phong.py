@@ -53,14 +53,14 @@ def gate(normal: ArrayLike, to_light: ArrayLike) -> Array:
     return np.where(dot(normal, to_light) > 0.0, 1.0, 0.0)
 
 
-def diffuse_term(factor: ArrayLike, light: ArrayLike, material: ArrayLike) -> Array:
-    """Factor · s_d ⊗ m_d, with the factor of Lambert's law; shape (..., 3)."""
-    return np.asarray(factor)[..., None] * component_filter(light, material)
+def diffuse_term(factor: ArrayLike, product: ArrayLike) -> Array:
+    """Lambert's factor (...) times the product s_d ⊗ m_d (..., 3) of `component_filter`."""
+    return np.asarray(factor, np.float64)[..., None] * np.asarray(product, np.float64)
 
 
-def specular_term(factor: ArrayLike, light: ArrayLike, material: ArrayLike) -> Array:
-    """Factor · s_s ⊗ m_s, with the factor of the highlight; shape (..., 3)."""
-    return np.asarray(factor)[..., None] * component_filter(light, material)
+def specular_term(factor: ArrayLike, product: ArrayLike) -> Array:
+    """The factor of the highlight (...) times the product s_s ⊗ m_s (..., 3)."""
+    return np.asarray(factor, np.float64)[..., None] * np.asarray(product, np.float64)
 
 
 def ambient_term(light: ArrayLike, material: ArrayLike) -> Array:

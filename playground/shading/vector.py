@@ -69,12 +69,22 @@ def turned_to_eye(normal: ArrayLike, to_eye: ArrayLike) -> Array:
     return np.where(away, np.negative(normal), normal)
 
 
+def orientation(linear: ArrayLike) -> float:
+    """The sign of the determinant of ``linear``, shape (3, 3): −1 mirrors, 0 flattens.
+
+    Columns are scaled by powers of two first, so that nothing overflows or vanishes and
+    a matrix of small whole numbers gets its sign exactly. Has no twin: once per object.
+    """
+    _, columns = _scaled_columns(linear)
+    return float(np.sign(dot(columns[0], np.cross(columns[1], columns[2]))))
+
+
 def normal_matrix(linear: ArrayLike) -> Array:
     """The matrix that carries normals along when ``linear`` carries points, shape (3, 3).
 
     The cofactor matrix turns a plane's normal with the plane, whatever the stretch,
     and needs no inverse; times the sign of the determinant, it leaves the normal of a
-    mirrored object pointing outwards. Columns are scaled to 1 first, so that scales
+    mirrored object pointing outwards. Columns are scaled by powers of two first, so that scales
     from 1e-150 to 1e150 neither overflow nor vanish; the largest entry of the result
     is about 1. Points to keep in mind: the result is not a rotation, so normals must
     be made unit length again. Has no twin: it is needed once per object, not per point.
@@ -82,14 +92,20 @@ def normal_matrix(linear: ArrayLike) -> Array:
     Source: Akenine-Möller et al., Real-Time Rendering 4, section 4.1.7; Lengyel,
     Transforming Normals, 2024.
     """
-    columns = np.asarray(linear, dtype=np.float64).T
-    largest = np.max(np.abs(columns), axis=1, keepdims=True)
-    safe = np.where(largest > 0.0, largest, 1.0)
-    c0, c1, c2 = columns / safe
+    scale, columns = _scaled_columns(linear)
+    c0, c1, c2 = columns
     cofactors = np.stack([np.cross(c1, c2), np.cross(c2, c0), np.cross(c0, c1)])
 
     # Undo the scaling up to one common factor: column k of the cofactors lost s_i s_j.
-    cofactors *= np.min(safe) / safe
-    sign = -1.0 if dot(c0, np.cross(c1, c2)) < 0.0 else 1.0
+    cofactors *= np.min(scale) / scale
+    sign = -1.0 if orientation(linear) < 0.0 else 1.0
     top = np.max(np.abs(cofactors))
     return np.asarray(sign * cofactors.T / (top if top > 0.0 else 1.0))
+
+
+def _scaled_columns(linear: ArrayLike) -> tuple[Array, Array]:
+    """A power of two for each column, (3, 1), and the columns divided by it, as rows (3, 3)."""
+    columns = np.asarray(linear, dtype=np.float64).T
+    _, exponent = np.frexp(np.max(np.abs(columns), axis=1, keepdims=True))
+    scale = np.ldexp(1.0, exponent - 1)
+    return scale, columns / scale

@@ -3,7 +3,8 @@
 //     max(n·l, 0) s_d ⊗ m_d + max(r·v, 0)^sh s_s ⊗ m_s + s_a ⊗ m_a + m_e
 //
 // Twin: playground/shading/phong.py. n, l, v, r are unit vectors that point away from
-// the surface. Source: Phong, CACM 18(6), 1975.
+// the surface. Source: Phong, CACM 18(6), 1975. The ambient and the emissive term, the
+// products s ⊗ m and the weights are the same at every point: they come as uniforms.
 #include "lib/vector.glsl"
 #include "lib/power.glsl"
 
@@ -32,27 +33,12 @@ float gate(vec3 normal, vec3 to_light) {
     return dot(normal, to_light) > 0.0 ? 1.0 : 0.0;
 }
 
-// factor · s_d ⊗ m_d.
-vec3 diffuse_term(float factor, vec3 light, vec3 material) {
-    return factor * component_filter(light, material);
+// factor · s_d ⊗ m_d, the factor being max(n·l, 0) and the product that of component_filter.
+vec3 diffuse_term(float factor, vec3 product) {
+    return factor * product;
 }
 
-// factor · s_s ⊗ m_s.
-vec3 specular_term(float factor, vec3 light, vec3 material) {
-    return factor * component_filter(light, material);
-}
-
-// s_a ⊗ m_a: light from everywhere, scattered everywhere.
-vec3 ambient_term(vec3 light, vec3 material) {
-    return component_filter(light, material);
-}
-
-// m_e: what the surface sends out by itself.
-vec3 emissive_term(vec3 material) {
-    return material;
-}
-
-// The sum of the four terms, each times its weight (a switch, or a fader).
-vec3 weighted_sum(vec3 diffuse, vec3 specular, vec3 ambient, vec3 emissive, vec4 weights) {
-    return weights.x * diffuse + weights.y * specular + weights.z * ambient + weights.w * emissive;
+// factor · s_s ⊗ m_s, the factor being max(r·v, 0)^sh.
+vec3 specular_term(float factor, vec3 product) {
+    return factor * product;
 }

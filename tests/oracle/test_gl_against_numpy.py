@@ -2,8 +2,9 @@
 
 What remains different, and why it may:
 
-- Coverage. Both round corners to 1/256 pixel, GL after computing them in float32. A pixel may go
-  to the neighbour only if its centre lies within 1/256 pixel of an edge.
+- Coverage. Both round corners to 1/256 pixel, GL after computing them in float32 (about 1e-3 pixel
+  at the far side of a window, which may round the other way). A pixel may go to the neighbour, and
+  so have the neighbour's colour, only if its centre lies within 1/256 + 1e-3 pixel of an edge.
 - Colour. The rasteriser's own float32 interpolation: it extrapolates each varying from a corner of
   the window, so that steep gradients across triangles of a pixel or two carry an error of up to a
   few 1e-5 (colours per vertex) or turn the normal by that much (per fragment, times the slope of
@@ -25,14 +26,14 @@ SHADINGS = ("flat", "per-vertex", "per-fragment")
 
 
 def near_edges(setup, size=SIZE):
-    """Pixels whose centre lies within 1/256 pixel of an edge of any triangle."""
+    """Pixels whose centre lies within 1/256 + 1e-3 pixel of an edge of any triangle."""
     everything = surfaces(setup.scene, setup.settings.weights)
     view = view_of(setup.camera, everything, size)
     nearest = np.full((size[1], size[0]), np.inf)
     for surface in everything:
         clip, cull = clip_positions(surface, view), culled(surface, view)
         nearest = np.minimum(nearest, edge_distance(clip, surface.mesh.faces, size, cull))
-    return nearest <= 1.0 / 256.0
+    return nearest <= 1.0 / 256.0 + 1e-3
 
 
 def assert_one_picture(setup, size=SIZE):
@@ -132,6 +133,36 @@ def test_far_from_the_origin_the_picture_is_the_same(gl, distance):
 def test_near_plane_through_an_object(gl):
     setup = pg.load("teapot").with_(near=2.9, far=10.0)
     assert_one_picture(setup)
+
+
+def test_near_plane_through_a_closed_object_off_the_axis(gl):
+    """Its inside shows: the near distance is along the view direction, not from the eye."""
+    item = pg.Object("sphere", transform=pg.Transform(translate=(3, 0, -3)))
+    camera = pg.Camera(eye=(0, 0, 0), target=(0, 0, -1), fov=100, near=2.5)
+    setup = pg.Setup(pg.Scene(objects=(item,)), camera)
+    assert_one_picture(setup)
+    front_only = pg.render(setup.with_(near=0.0), SIZE, "numpy").coverage.sum()
+    assert pg.render(setup, SIZE, "numpy").coverage.sum() > 0.8 * front_only
+
+
+def test_the_near_plane_leaves_objects_whole(gl):
+    """Looking past a ball next to the eye: fitting near to it cuts nothing off."""
+    setup = pg.load("sphere").with_(eye=(0, 0, 2.2), target=(1.1, 0, 0), fov=60)
+    whole = pg.render(setup.with_(near=0.01), SIZE, "numpy")
+    fitted = pg.render(setup, SIZE, "numpy")
+    assert np.array_equal(whole.coverage, fitted.coverage)
+    far = pg.render(setup.with_(far=1e5), SIZE, "gl")
+    assert np.array_equal(far.coverage, pg.render(setup, SIZE, "gl").coverage)
+
+
+@pytest.mark.parametrize("distance", [1e6, 1e12, 1e15, 1e20, 1e28])
+def test_lights_however_far(gl, distance):
+    lights = (
+        pg.PointLight(position=(distance, distance, distance)),
+        pg.PointLight(position=(0, distance, 0), attenuate=True, quadratic=0.5 / distance**2),
+        pg.SpotLight(position=(0, 0, distance), axis=(0, 0, -1)),
+    )
+    assert_one_picture(pg.load("sphere").with_(lights=lights))
 
 
 def test_8_bit_codes_are_the_codes_of_the_float_picture(gl):

@@ -15,6 +15,12 @@ NUMPY_ALONE = {
     "vector": {
         "dot": "a GLSL built-in",
         "normal_matrix": "needed once per object, computed on the CPU",
+        "orientation": "needed once per object, computed on the CPU",
+    },
+    "phong": {
+        "ambient_term": "the same at every point: computed once per surface, on the CPU",
+        "emissive_term": "the same at every point",
+        "weighted_sum": "the weights are folded into the products, once per surface, on the CPU",
     },
     "light": {"cone": "needed once per light, computed on the CPU"},
     "display": {

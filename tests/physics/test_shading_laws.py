@@ -48,8 +48,8 @@ def test_zero_to_the_power_zero_is_one():
     assert power.power(0.0, 0.0) == 1.0
     assert power.power(-0.5, 0.0) == 1.0
     assert power.power(-0.5, 3.0) == 0.0
-    assert power.power_below_one(4.0, 0.0) == 1.0
-    assert power.power_below_one(4.0, 2.0) == 0.0
+    assert power.power_below_one(-3.0, 4.0, 0.0) == 1.0
+    assert power.power_below_one(-3.0, 4.0, 2.0) == 0.0
 
 
 def test_the_literal_highlight_leaks_where_the_gate_does_not():

@@ -50,12 +50,73 @@ def test_vectors_are_those_of_the_formula():
 def test_the_words_of_the_lecture():
     setup = pg.load("teapot").with_(exposure=2.0, diffuse_weight=0.5)
     why = pg.explain(setup, (40, 30), SIZE)
-    for words in ("0.5 · max(n·l, 0)", "⊗", "exposed × 2", "emissive"):
+    for words in ("w · max(n·l, 0) s_d ⊗ m_d = 0.5 · ", "⊗", "exposed × 2", "emissive"):
         assert words in why.text()
     assert r"\max(n\cdot l,0)\,s_d\otimes m_d" in why.latex()
     assert "background" in pg.explain(setup, (0, 0), SIZE).text()
     blinn = pg.explain(setup.with_(highlight="blinn"), (40, 30), SIZE)
     assert "max(n·h, 0)" in blinn.text()
+
+
+def numbers(text):
+    import re
+
+    return [float(x) for x in re.findall(r"-?\d+\.?\d*(?:e-?\d+)?", text)]
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {},
+        {"highlight": "blinn"},
+        {"diffuse_weight": 0.5, "specular_weight": 2.0, "ambient_weight": 0.25},
+        {"lights": (pg.PointLight(position=(3, 4, 5), attenuate=True),)},
+        {"lights": (pg.SpotLight(attenuate=True, linear=0.1),)},
+        {"shading": "flat"},
+    ],
+    ids=str,
+)
+def test_the_printed_equations_are_true(change):
+    """What stands left of the last = multiplies out to what stands right of it."""
+    why = pg.explain(pg.load("sphere").with_(**change), (45, 27), SIZE)
+    checked = 0
+    for line in why.text().splitlines():
+        words = line.split()
+        if words and words[0] in ("diffuse", "specular", "ambient"):
+            left, right = line.rsplit(" = ", 1)
+            left = left.split(" = ", 1)[1]
+            scale, colours = left.split("(", 1)[0], numbers(left.split("(", 1)[1])
+            factor = np.prod(
+                [
+                    float(b) ** float(e or 1)
+                    for b, _, e in (part.partition("^") for part in scale.replace("·", " ").split())
+                ]
+            )
+            product = factor * np.multiply(colours[:3], colours[3:])
+            # Four digits are printed; a power of 32 multiplies the last one's error by 32.
+            np.testing.assert_allclose(product, numbers(right), atol=5e-3)
+            checked += 1
+    assert checked == 3
+
+
+def test_what_is_off_is_said_to_be_off():
+    setup = pg.load("sphere").with_(terms=("diffuse",), gate=True)
+    text = pg.explain(setup, (40, 30), SIZE).text()
+    assert text.count("switched off") == 3
+    assert "m_a" not in pg.explain(setup, (40, 30), SIZE).latex()
+    behind = setup.with_(terms=("specular",), lights=(pg.DirectionalLight(to_light=(0, 0, -1)),))
+    assert "gated: n·l" in pg.explain(behind, (40, 30), SIZE).text()
+    blinn = pg.explain(setup.with_(terms=("specular",), highlight="blinn"), (40, 30), SIZE)
+    assert r"n\cdot h" in blinn.latex()
+    assert "halfway" in blinn.text()
+
+
+def test_the_dictionary_has_the_names_of_the_vocabulary():
+    told = pg.explain(pg.load("teapot"), (40, 30), SIZE).to_dict()
+    assert set(told["material"]) == {"diffuse", "specular", "ambient", "emissive"}
+    assert told["term_weights"]["diffuse"] == 1.0
+    (light,) = told["points"][0]["lights"]
+    assert {"to_light", "reflection", "halfway", "rho", "strength"} <= set(light)
 
 
 def test_a_pixel_outside_is_refused():

@@ -101,6 +101,48 @@ def test_more_lights_than_the_driver_takes(gl):
         pg.render(setup, SIZE, "gl")
 
 
+@pytest.mark.gl
+def test_a_texture_too_large_for_the_driver(gl, tmp_path):
+    from PIL import Image
+
+    side = gl.info["GL_MAX_TEXTURE_SIZE"] + 1
+    Image.new("RGB", (side, 1)).save(tmp_path / "wide.png")
+    setup = pg.load("textured").with_(texture=str(tmp_path / "wide.png"))
+    with pytest.raises(pg.PlaygroundError, match="texture is too large"):
+        pg.render(setup, SIZE, "gl")
+
+
+@pytest.mark.gl
+def test_earlier_scenes_are_forgotten(gl):
+    meshes = [pg.Mesh.create(np.eye(3) * scale, [[0, 1, 2]]) for scale in np.linspace(1, 2, 40)]
+    with pg.open_renderer(SIZE, "gl") as renderer:
+        for mesh in meshes:
+            renderer.render(pg.Setup(pg.Scene(objects=(pg.Object(arrays=mesh),))))
+        assert len(renderer._meshes) <= 10
+
+
+@pytest.mark.gl
+def test_too_many_samples_are_noted(gl):
+    setup = pg.load("sphere").with_(samples=16)
+    image = pg.render(setup, SIZE, "gl")
+    if gl.max_samples < 16:
+        assert image.notes["samples"] == f"this driver draws {gl.max_samples} samples per pixel"
+
+
+def test_a_near_distance_that_float32_cannot_hold():
+    with pytest.raises(pg.PlaygroundError, match="near = 0"):
+        pg.render(pg.load("sphere").with_(near=1e-7), SIZE, "numpy")
+
+
+@pytest.mark.parametrize("size", [(90, 30), (30, 90)])
+def test_what_fits_into_a_wide_picture_fits_into_a_tall_one(size):
+    setup = pg.Setup(pg.Scene(objects=(pg.Object("torus"),))).framed((0.3, 0.5, 1))
+    image = pg.render(setup, size, "numpy")
+    edge = (*image.coverage[0], *image.coverage[-1], *image.coverage[:, 0], *image.coverage[:, -1])
+    assert image.coverage.any()
+    assert not any(edge)
+
+
 def test_hostile_numbers_never_reach_a_pixel(renderer):
     """Lights on vertices, in the eye and far out; flattened objects; vanishing normals."""
     mesh = pg.Mesh.create(
@@ -255,7 +297,7 @@ def test_a_broken_shader_is_told_by_our_file_and_line(gl):
 
     vertex, fragment = sources_for(wanted(pg.load("sphere")))
     broken = replace(
-        fragment, text=fragment.text.replace("diffuse += strength", "diffuse += strenght")
+        fragment, text=fragment.text.replace("diffuse += diffuse_term(", "diffuse += difuse_term(")
     )
     with pytest.raises(ShaderError, match=r"shaders/shade\.glsl:\d+: "):
         Program(gl, (vertex, broken))

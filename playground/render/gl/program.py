@@ -65,6 +65,12 @@ class Program:
             self._arrays[id(buffers)] = buffers, buffers.array(self)
         return self._arrays[id(buffers)][1]
 
+    def forget(self, buffers: MeshBuffers) -> None:
+        """Drop the vertex array of ``buffers``, which are about to be released."""
+        held = self._arrays.pop(id(buffers), None)
+        if held is not None:
+            held[1].release()
+
     def release(self) -> None:
         """Free the GPU memory."""
         for _, array in self._arrays.values():

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from playground.errors import PlaygroundError
 from playground.render.gl import context as gl_context
 from playground.render.gl.clusters import frustum_planes, visible_runs
 from playground.render.gl.mesh_buffers import MeshBuffers
@@ -15,7 +16,7 @@ from playground.render.gl.target import Target
 from playground.render.gl.uniforms import surface_uniforms, view_uniforms
 from playground.render.image import Image
 from playground.render.needs import Needs, needs
-from playground.render.renderer import check_out
+from playground.render.renderer import check_out, check_setup
 from playground.render.surface import Surface, surfaces
 from playground.render.view import View, view_of
 from playground.scene.scene import Scene
@@ -26,6 +27,7 @@ from playground.shading.display import display_colour
 if TYPE_CHECKING:
     import moderngl
 
+KEPT = 8  # meshes and textures of earlier scenes that wait to be drawn again
 STEADY = 8  # frames with the same scene and settings before their values become constants
 
 
@@ -53,11 +55,16 @@ class GLRenderer:
 
     def render(self, setup: Setup, out: NDArray[Any] | None = None) -> Image | NDArray[Any]:
         """Draw ``setup``; see `playground.render.renderer.Renderer.render`."""
+        check_setup(setup)
         if out is None:
             pixels = np.empty((self.size[1], self.size[0], 4), dtype=np.float32)
             self._draw_and_read(setup, pixels)
             colour = np.ascontiguousarray(pixels[..., :3])
-            return Image(colour, pixels[..., 3].copy(), setup, self.name)
+            image = Image(colour, pixels[..., 3].copy(), setup, self.name)
+            samples = self._target("f4", setup.settings.samples).samples
+            if samples != setup.settings.samples:
+                image.notes["samples"] = f"this driver draws {samples} samples per pixel"
+            return image
         check_out(out, self.size)
         if out.shape[2] == 4 and out.flags.c_contiguous:
             self._draw_and_read(setup, out)
@@ -92,6 +99,19 @@ class GLRenderer:
         for program in self._baked.values():
             program.release()
         self._baked.clear()
+        self._forget()
+
+    def _forget(self) -> None:
+        """Free meshes and textures of earlier scenes beyond `KEPT` of each."""
+        meshes = {id(surface.mesh) for surface in self._surfaces}
+        for key in [key for key in self._meshes if key[0] not in meshes][:-KEPT]:
+            buffers = self._meshes.pop(key)[1]
+            for program in self._programs.values():
+                program.forget(buffers)
+            buffers.release()
+        texels = {id(surface.texels) for surface in self._surfaces}
+        for number in [number for number in self._textures if number not in texels][:-KEPT]:
+            self._textures.pop(number)[1].release()
 
     def _draw_surface(self, surface: Surface, view: View, wanted: Needs, program: Program) -> None:
         import moderngl
@@ -140,6 +160,14 @@ class GLRenderer:
     def _texture(self, texels: NDArray[np.float32]) -> moderngl.Texture:
         if id(texels) not in self._textures:
             size = (texels.shape[1], texels.shape[0])
+            largest = int(self._context.info["GL_MAX_TEXTURE_SIZE"])
+            if max(size) > largest:
+                raise PlaygroundError(
+                    "a texture is too large for this driver",
+                    got=f"{size[0]}x{size[1]}",
+                    allowed=f"up to {largest} texels a side",
+                    fix="Make the image smaller, or use --renderer numpy.",
+                )
             texture = self._context.texture(size, 3, texels.tobytes(), dtype="f4")
             self._textures[id(texels)] = (texels, texture)
         return self._textures[id(texels)][1]

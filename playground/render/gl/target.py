@@ -24,21 +24,19 @@ class Target:
     def __init__(
         self, context: moderngl.Context, size: tuple[int, int], dtype: str, samples: int = 1
     ) -> None:
-        largest = min(int(context.info["GL_MAX_TEXTURE_SIZE"]), context.max_texture_units * 4096)
+        largest = int(context.info["GL_MAX_RENDERBUFFER_SIZE"])
         if max(size) > largest:
-            raise PlaygroundError(
-                "the picture is too large for this driver",
-                got=f"{size[0]}x{size[1]}",
-                allowed=f"up to {largest} pixels a side",
-                fix="Choose a smaller --size, or --renderer numpy.",
-            )
+            raise _too_large(size, f"up to {largest} pixels a side")
+        self._context = context
         self.size, self.dtype = size, dtype
         self.samples = min(samples, context.max_samples) if samples > 1 else 1
-        self._resolved = self._framebuffer(context, 0)
-        self._drawn = (
-            self._framebuffer(context, self.samples) if self.samples > 1 else self._resolved
-        )
-        self._context = context
+        try:
+            self._resolved = self._framebuffer(context, 0)
+            self._drawn = (
+                self._framebuffer(context, self.samples) if self.samples > 1 else self._resolved
+            )
+        except Exception as error:  # moderngl has one kind for all
+            raise _too_large(size, "what fits into the memory of the driver") from error
 
     def _framebuffer(self, context: moderngl.Context, samples: int) -> moderngl.Framebuffer:
         colour = context.renderbuffer(self.size, 4, samples=samples, dtype=self.dtype)
@@ -64,3 +62,12 @@ class Target:
             for attachment in (*framebuffer.color_attachments, framebuffer.depth_attachment):
                 attachment.release()
             framebuffer.release()
+
+
+def _too_large(size: tuple[int, int], allowed: str) -> PlaygroundError:
+    return PlaygroundError(
+        "the picture is too large for this driver",
+        got=f"{size[0]}x{size[1]}",
+        allowed=allowed,
+        fix="Choose a smaller --size, or --renderer numpy.",
+    )

@@ -26,9 +26,10 @@ def view_uniforms(surface: Surface, view: View) -> dict[str, Any]:
     for kind in ("point", "spot"):
         lights = [light for light in surface.lights if light.kind == kind]
         if lights:
-            positions = np.array([light.position for light in lights])
-            values[f"{kind}_position"] = view.relative(positions)
-            values[f"{kind}_attenuation"] = [view.attenuation(x.attenuation) for x in lights]
+            standing = [(x.position, x.attenuation) for x in lights if x.position is not None]
+            places = [view.light_place(position, k) for position, k in standing]
+            values[f"{kind}_position"] = [position for position, _ in places]
+            values[f"{kind}_attenuation"] = [attenuation for _, attenuation in places]
     return values
 
 

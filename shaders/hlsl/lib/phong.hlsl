@@ -34,29 +34,13 @@ float gate(float3 normal, float3 to_light) {
     return dot(normal, to_light) > 0.0 ? 1.0 : 0.0;
 }
 
-// factor · s_d ⊗ m_d.
-float3 diffuse_term(float factor, float3 light, float3 material) {
-    return factor * component_filter(light, material);
+// factor · s_d ⊗ m_d, the factor being max(n·l, 0) and the product that of component_filter.
+float3 diffuse_term(float factor, float3 product) {
+    return factor * product;
 }
 
-// factor · s_s ⊗ m_s.
-float3 specular_term(float factor, float3 light, float3 material) {
-    return factor * component_filter(light, material);
+// factor · s_s ⊗ m_s, the factor being max(r·v, 0)^sh.
+float3 specular_term(float factor, float3 product) {
+    return factor * product;
 }
-
-// s_a ⊗ m_a: light from everywhere, scattered everywhere.
-float3 ambient_term(float3 light, float3 material) {
-    return component_filter(light, material);
-}
-
-// m_e: what the surface sends out by itself.
-float3 emissive_term(float3 material) {
-    return material;
-}
-
-// The sum of the four terms, each times its weight (a switch, or a fader).
-float3 weighted_sum(float3 diffuse, float3 specular, float3 ambient, float3 emissive, float4 weights) {
-    return weights.x * diffuse + weights.y * specular + weights.z * ambient + weights.w * emissive;
-}
-
 #endif

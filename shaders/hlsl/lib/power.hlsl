@@ -23,18 +23,20 @@ float power(float base, float exponent) {
     return base > 0.0 && exponent > 0.0 ? value : float(exponent == 0.0);
 }
 
-// max(1 − gap, 0)^exponent for gap >= 0, exact also where gap is tiny.
-float power_below_one(float gap, float exponent) {
-    float value = exp2(exponent * log2_near_one(1.0 - gap, gap));
-    return gap < 1.0 ? value : float(exponent == 0.0);
+// max(cosine, 0)^exponent with cosine = 1 − gap, both given: near 1 the gap counts, near 0
+// the cosine, and no digit is lost at either end.
+float power_below_one(float cosine, float gap, float exponent) {
+    float value = exp2(exponent * log2_near_one(cosine, gap));
+    return cosine > 0.0 ? value : float(exponent == 0.0);
 }
 
 // The same for a whole exponent n from 1 to 32 known when compiling: repeated squaring. The
 // rounding that 1 − gap lost, known exactly, is put back to first order; what is left
 // is (n − 1)/2^24, relative. A third cheaper than the logarithm.
-float power_below_one_whole(float gap, const int n) {
-    float p = max(1.0 - gap, 0.0);
-    float lost = (1.0 - p) - gap;
+float power_below_one_whole(float cosine, float gap, const int n) {
+    bool near = gap < 0.5;
+    float p = near ? 1.0 - gap : max(cosine, 0.0);
+    float lost = near ? (1.0 - p) - gap : 0.0;
     float value = (n & 1) != 0 ? p : 1.0;
     p *= p;
     if ((n & 2) != 0) value *= p;
@@ -50,14 +52,16 @@ float power_below_one_whole(float gap, const int n) {
 }
 
 // max(direction·axis, 0)^shininess of unit vectors. With d = direction − axis the
-// cosine is 1 − d·d/2, and the rounding of d·d/2 is relative to it, not to 1.
+// cosine is 1 − d·d/2, and the rounding of d·d/2 is relative to it, not to 1; far from
+// the axis it is the dot product that has no cancellation.
 float lobe(float3 direction, float3 axis, float shininess) {
     float3 difference = direction - axis;
     float gap = 0.5 * dot(difference, difference);
+    float cosine = dot(direction, axis);
 #ifdef WHOLE_EXPONENT
-    return power_below_one_whole(gap, WHOLE_EXPONENT);
+    return power_below_one_whole(cosine, gap, WHOLE_EXPONENT);
 #else
-    return power_below_one(gap, shininess);
+    return power_below_one(cosine, gap, shininess);
 #endif
 }
 
