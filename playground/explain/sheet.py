@@ -80,7 +80,12 @@ def _terms(setup: Setup, renderer: Renderer) -> Sheet:
         f"{errors['per-vertex']:.1e} where the rasteriser interpolates the colours; "
         f"linear light, before the display clamps the {100 * clipped:.1f} % of pixels above 1"
     )
-    return Sheet(lay_out(rows, setup.scene.title, message), setup, message, max(errors.values()))
+    return Sheet(
+        lay_out(rows, f"{setup.name}: the four terms and their sum", message),
+        setup,
+        message,
+        max(errors.values()),
+    )
 
 
 def _sum_error(alone: list[Image], whole: Image) -> float:
@@ -107,7 +112,8 @@ def _shininess(setup: Setup, renderer: Renderer) -> Sheet:
     message = (
         "the larger the shininess, the faster (r·v)^sh falls off, and the smaller the highlight"
     )
-    return Sheet(lay_out([row], setup.scene.title, message), setup, message)
+    heading = f"{setup.name}: shininess {', '.join(map(str, SHININESS))}"
+    return Sheet(lay_out([row], heading, message), setup, message)
 
 
 def _shading(setup: Setup, renderer: Renderer) -> Sheet:
@@ -123,4 +129,5 @@ def _shading(setup: Setup, renderer: Renderer) -> Sheet:
         "per-vertex differs from per-fragment by at most "
         f"{difference.max():.3f}, on average {difference.mean():.5f}, of full intensity"
     )
-    return Sheet(lay_out([row], setup.scene.title, message), setup, message)
+    heading = f"{setup.name}: the model evaluated per triangle, per vertex, per fragment"
+    return Sheet(lay_out([row], heading, message), setup, message)
