@@ -1,0 +1,110 @@
+"""Which pictures the view shows, and where: a pure function of the state and the space.
+
+Boxes are in pixels of the screen, relative to the upper left corner of the view.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+from playground.gui.orbit import widened
+from playground.gui.state import State, shown
+from playground.scene.settings import TERMS, Settings
+from playground.scene.setup import Setup
+
+GAP = 4  # pixels between two pictures
+Box = tuple[int, int, int, int]  # x, y, width, height
+
+
+@dataclass(frozen=True)
+class Picture:
+    """One picture of the view: what it shows, its caption, its box.
+
+    ``part`` is the share of the width that is shown, from and to.
+    """
+
+    setup: Setup
+    caption: str
+    box: Box
+    part: tuple[float, float] = (0.0, 1.0)
+
+
+def pictures(state: State, width: int, height: int) -> tuple[Picture, ...]:
+    """The pictures of the layout that ``state`` asks for, in a space of the given size."""
+    setup = shown(state)
+    if state.layout == "terms":
+        return _term_by_term(setup, width, height)
+    whole = (0, 0, width, height)
+    mode = setup.settings.shading
+    if state.layout == "single":
+        return (_picture(setup, "", whole),)
+    other = replace(setup, settings=_shaded(setup.settings, state.other))
+    if state.layout == "wipe":
+        return (
+            _picture(setup, mode, whole, (0.0, state.wipe)),
+            _picture(other, state.other, whole, (state.wipe, 1.0)),
+        )
+    half = max((width - GAP) // 2, 1)
+    right = (half + GAP, 0, max(width - half - GAP, 1), height)
+    return (
+        _picture(setup, mode, (0, 0, half, height)),
+        _picture(other, state.other, right),
+    )
+
+
+def grid(count: int, width: int, height: int) -> tuple[int, int]:
+    """Columns and rows for ``count`` boxes, chosen so that a 4:3 picture in them is largest."""
+
+    def side(columns: int) -> float:
+        rows = -(-count // columns)
+        return min(width / columns / 4.0, height / rows / 3.0)
+
+    columns = max(range(1, count + 1), key=side)
+    return columns, -(-count // columns)
+
+
+def boxes(count: int, width: int, height: int) -> list[Box]:
+    """That many boxes of one size, row by row."""
+    columns, rows = grid(count, width, height)
+    w, h = (width - GAP * (columns - 1)) // columns, (height - GAP * (rows - 1)) // rows
+    return [
+        ((i % columns) * (w + GAP), (i // columns) * (h + GAP), max(w, 1), max(h, 1))
+        for i in range(count)
+    ]
+
+
+def _term_by_term(setup: Setup, width: int, height: int) -> tuple[Picture, ...]:
+    """Four pictures of one term each, and their sum; the sixth box is left for the formula."""
+    places = boxes(len(TERMS) + 2, width, height)
+    made = []
+    for term, box in zip(TERMS, places, strict=False):
+        alone = replace(setup, settings=_only(setup.settings, term))
+        off = "" if term in setup.settings.terms else " (off)"
+        made.append(_picture(alone, f"{term}{off}", box))
+    return (*made, _picture(setup, "sum", places[len(TERMS)]))
+
+
+def formula_box(width: int, height: int) -> Box:
+    """The box beside the sum, where the formula stands."""
+    return boxes(len(TERMS) + 2, width, height)[-1]
+
+
+def _picture(
+    setup: Setup, caption: str, box: Box, part: tuple[float, float] = (0.0, 1.0)
+) -> Picture:
+    camera = widened(setup.camera, max(box[2], 1) / max(box[3], 1))
+    if camera is not setup.camera:
+        setup = replace(setup, camera=camera)
+    return Picture(setup, caption, box, part)
+
+
+# The same settings give the same object again: renderers notice change by identity.
+@lru_cache(maxsize=64)
+def _shaded(settings: Settings, shading: str) -> Settings:
+    return replace(settings, shading=shading)
+
+
+@lru_cache(maxsize=64)
+def _only(settings: Settings, term: str) -> Settings:
+    return replace(settings, terms=(term,) if term in settings.terms else ())

@@ -1,0 +1,141 @@
+"""One frame of the window: state in, state out."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from imgui_bundle import imgui
+
+from playground.gui import menu, sheets, status, theme, view
+from playground.gui.comparison import Box
+from playground.gui.navigation import walked
+from playground.gui.panels import OPEN_AT_FIRST, PANELS
+from playground.gui.scene_view import Slots
+from playground.gui.shortcuts import pressed
+from playground.gui.state import State
+from playground.gui.widgets import Ui
+
+PANEL_WIDTH = 360.0  # pixels, at text size 1
+WIDEST_PANEL = 0.45  # of the window
+FIXED = (
+    imgui.WindowFlags_.no_title_bar.value
+    | imgui.WindowFlags_.no_resize.value
+    | imgui.WindowFlags_.no_move.value
+    | imgui.WindowFlags_.no_collapse.value
+    | imgui.WindowFlags_.no_saved_settings.value
+    | imgui.WindowFlags_.no_bring_to_front_on_focus.value
+    | imgui.WindowFlags_.no_nav_inputs.value
+)
+WHEEL_PAUSE = 0.4  # seconds: notches of the wheel closer than this are one step of undo
+
+
+class Hand:
+    """Whether the user holds on to something, so that changes make one step of undo."""
+
+    def __init__(self) -> None:
+        self.wheel_seconds = WHEEL_PAUSE
+
+    def holds(self, dragging: bool, seconds: float) -> bool:
+        """Whether a drag, a repeated key or a run of the wheel is under way."""
+        io = imgui.get_io()
+        turning = bool(io.mouse_wheel) and not imgui.is_any_item_active()
+        self.wheel_seconds = 0.0 if turning else self.wheel_seconds + seconds
+        return dragging or imgui.is_any_item_active() or self.wheel_seconds < WHEEL_PAUSE
+
+
+def draw(
+    state: State, slots: Slots, hand: Hand, seconds: float, density: float, numbers: str
+) -> State:
+    """Build the interface for ``state`` and return the state that the user made of it.
+
+    Parameters
+    ----------
+    state : State
+    slots : Slots
+        Where the pictures are drawn.
+    hand : Hand
+    seconds : float
+        Since the frame before.
+    density : float
+        Of the screen; 1 for an ordinary one.
+    numbers : str
+        What the status line says of renderer and times.
+    """
+    before, scale = state, state.text_size * density
+    theme.apply(state.theme, state.text_size, density)
+    ui = Ui(scale)
+    state = walked(state, min(seconds, 0.1))
+    state = pressed(state)
+    state = menu.draw(state)
+    view_box, panel_box, foot_box = areas(state, scale)
+    if state.panel:
+        _place(panel_box)
+        state = _controls(state, ui)
+    _place(view_box)
+    state, dragging = _view(state, before, slots, scale)
+    if ui.refused:
+        state = state.fail(ui.refused[-1])
+    _place(foot_box)
+    _foot(state, numbers)
+    state = sheets.draw(state)
+    return remembered(before, state, hand.holds(dragging or state.playing, seconds))
+
+
+def areas(state: State, scale: float) -> tuple[Box, Box, Box]:
+    """Where view, controls and status line are: x, y, width, height in ImGui's units."""
+    space = imgui.get_main_viewport()
+    x, y = round(space.work_pos.x), round(space.work_pos.y)
+    width, height = round(space.work_size.x), round(space.work_size.y)
+    foot = round(status.ROWS * imgui.get_text_line_height_with_spacing() + 8 * scale)
+    wide = round(min(PANEL_WIDTH * scale, WIDEST_PANEL * width)) if state.panel else 0
+    return (
+        (x, y, width - wide, height - foot),
+        (x + width - wide, y, wide, height - foot),
+        (x, y + height - foot, width, foot),
+    )
+
+
+def remembered(before: State, after: State, held: bool) -> State:
+    """Keep the step in the history, unless it was a step through the history."""
+    if after.history is not before.history:
+        return after
+    history = before.history.record(before.setup, after.setup, held)
+    return after if history is before.history else replace(after, history=history)
+
+
+def _place(box: Box) -> None:
+    x, y, width, height = box
+    imgui.set_next_window_pos(imgui.ImVec2(x, y))
+    imgui.set_next_window_size(imgui.ImVec2(max(width, 1), max(height, 1)))
+
+
+def _controls(state: State, ui: Ui) -> State:
+    """The panels, one below the other."""
+    imgui.begin("Controls", None, FIXED)
+    for name, panel in PANELS.items():
+        imgui.set_next_item_open(name in OPEN_AT_FIRST, imgui.Cond_.once)
+        if imgui.collapsing_header(name):
+            imgui.push_id(name)
+            state = panel(state, ui)
+            imgui.pop_id()
+            imgui.spacing()
+    imgui.end()
+    return state
+
+
+def _view(state: State, good: State, slots: Slots, scale: float) -> tuple[State, bool]:
+    imgui.push_style_var(imgui.StyleVar_.window_padding, imgui.ImVec2(0, 0))
+    imgui.push_style_var(imgui.StyleVar_.window_border_size, 0.0)
+    imgui.begin("View", None, FIXED | imgui.WindowFlags_.no_scrollbar.value)
+    state, dragging = view.draw_safely(state, good, slots, scale)
+    imgui.end()
+    imgui.pop_style_var(2)
+    return state, dragging
+
+
+def _foot(state: State, numbers: str) -> None:
+    imgui.push_style_var(imgui.StyleVar_.window_padding, imgui.ImVec2(10, 4))
+    imgui.begin("Status", None, FIXED | imgui.WindowFlags_.no_scrollbar.value)
+    status.draw(state, numbers)
+    imgui.end()
+    imgui.pop_style_var()

@@ -1,0 +1,54 @@
+"""The menu bar: the library of setups, and the table of actions."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from imgui_bundle import imgui
+
+from playground.errors import PlaygroundError
+from playground.gui.actions import open_setup
+from playground.gui.shortcuts import ACTIONS, MENUS
+from playground.gui.state import State
+from playground.scene.library import library, load
+
+
+def draw(state: State) -> State:
+    """The bar at the top of the window."""
+    if not imgui.begin_main_menu_bar():
+        return state
+    for i, menu in enumerate(MENUS):
+        if i == 1 and imgui.begin_menu("Setups"):
+            state = _setups(state)
+            imgui.end_menu()
+        if imgui.begin_menu(menu):
+            for action in ACTIONS:
+                if action.menu == menu and imgui.menu_item_simple(action.name, action.keys):
+                    state = action.do(state)
+            imgui.end_menu()
+    name = state.setup.name
+    right = imgui.get_window_width() - imgui.calc_text_size(name).x - 12.0
+    if right > imgui.get_cursor_pos_x():
+        imgui.set_cursor_pos_x(right)
+        imgui.text_disabled(name)
+    imgui.end_main_menu_bar()
+    return state
+
+
+def _setups(state: State) -> State:
+    for name, title in _library():
+        if imgui.menu_item_simple(name, title, selected=name == state.loaded.name):
+            state = open_setup(state, name)
+    return state
+
+
+@lru_cache(maxsize=1)
+def _library() -> tuple[tuple[str, str], ...]:
+    """Name and title of every setup that comes with the project."""
+    found = []
+    for name in library():
+        try:
+            found.append((name, load(name).scene.title))
+        except PlaygroundError as error:
+            found.append((name, str(error)))
+    return tuple(found)

@@ -1,0 +1,24 @@
+"""The controls: each panel is a function ``draw(state, ui) -> state``.
+
+A new panel is a module with such a function and a row in `PANELS`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from playground.gui.panels import display, lights, material, scene, terms, view
+from playground.gui.state import State
+from playground.gui.widgets import Ui
+
+Panel = Callable[[State, Ui], State]
+
+PANELS: dict[str, Panel] = {
+    "View": view.draw,
+    "Terms": terms.draw,
+    "Material": material.draw,
+    "Lights": lights.draw,
+    "Scene": scene.draw,
+    "Display": display.draw,
+}
+OPEN_AT_FIRST = ("View", "Terms", "Material")

@@ -1,0 +1,124 @@
+"""Pictures of setups as textures, drawn again only when setup or size have changed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import moderngl
+
+from playground.gui.texture_target import TextureTarget
+from playground.render.gl.renderer import GLRenderer
+from playground.scene.setup import Setup
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+
+class Slot:
+    """One place of the view: its renderer, its texture, and what stands in it."""
+
+    def __init__(self, context: moderngl.Context) -> None:
+        self._context = context
+        self._renderer = GLRenderer((1, 1), context)
+        self._target: TextureTarget | None = None
+        self._drawn: Setup | None = None
+        self._query = context.query(time=True)
+        self._waiting = False
+        self.draws = 0
+        self._milliseconds = 0.0
+
+    def texture(self, setup: Setup, size: tuple[int, int]) -> moderngl.Texture:
+        """The texture with the picture of ``setup``.
+
+        Raises
+        ------
+        PlaygroundError
+            What the renderer refuses; the old picture is lost.
+        """
+        target = self._sized(size, setup.settings.samples)
+        if self._drawn is not setup and self._drawn != setup:
+            self._drawn = None
+            self._draw(setup, target)
+            self._drawn = setup
+        return target.texture
+
+    @property
+    def milliseconds(self) -> float:
+        """GPU time of the last drawing. Asked for a frame later, it costs no waiting."""
+        if self._waiting:
+            self._milliseconds, self._waiting = self._query.elapsed * 1e-6, False
+        return self._milliseconds
+
+    def _draw(self, setup: Setup, target: TextureTarget) -> None:
+        self._renderer.size = target.size
+        with self._query:
+            self._renderer.draw(setup, target)
+            target.resolve()
+        self._waiting = True
+        self.draws += 1
+
+    def _sized(self, size: tuple[int, int], samples: int) -> TextureTarget:
+        wanted = (size, min(samples, self._context.max_samples) if samples > 1 else 1)
+        if self._target is not None and (self._target.size, self._target.samples) == wanted:
+            return self._target
+        if self._target is not None:
+            self._target.release()
+        self._target, self._drawn = None, None
+        self._target = TextureTarget(self._context, size, samples)
+        return self._target
+
+    def release(self) -> None:
+        """Free the GPU memory."""
+        self._renderer.close()
+        if self._target is not None:
+            self._target.release()
+
+
+class Slots:
+    """As many slots as the layout has pictures; each keeps its programs and meshes."""
+
+    def __init__(self, context: moderngl.Context) -> None:
+        self._context = context
+        self._slots: list[Slot] = []
+        self._used = 0
+
+    def __getitem__(self, index: int) -> Slot:
+        while index >= len(self._slots):
+            self._slots.append(Slot(self._context))
+        return self._slots[index]
+
+    def use(self, count: int) -> None:
+        """Say how many pictures the present layout has."""
+        self._used = count
+
+    @property
+    def milliseconds(self) -> float:
+        """GPU time of the last drawing of every picture in use."""
+        return sum(slot.milliseconds for slot in self._slots[: self._used])
+
+    @property
+    def draws(self) -> int:
+        """How often any picture has been drawn."""
+        return sum(slot.draws for slot in self._slots)
+
+    def restore(self) -> None:
+        """Leave the state of GL as a window expects to find it."""
+        self._context.enable_only(moderngl.NOTHING)
+        self._context.front_face = "ccw"
+
+    def close(self) -> None:
+        """Free the GPU memory."""
+        for slot in self._slots:
+            slot.release()
+        self._slots.clear()
+
+    def __enter__(self) -> Slots:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()

@@ -1,0 +1,78 @@
+"""The line at the bottom: the last message, what was drawn with, and what it took."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from imgui_bundle import imgui
+
+from playground.gui.state import State
+from playground.gui.theme import PALETTES
+from playground.render.needs import needs
+from playground.render.surface import surfaces
+from playground.render.view import view_of
+from playground.scene.camera import Camera
+from playground.scene.scene import Scene
+from playground.scene.settings import Settings
+from playground.scene.setup import Setup
+
+ROWS = 2  # of text
+
+
+def draw(state: State, numbers: str) -> None:
+    """Two rows: message and numbers; what the pictures need of the renderer."""
+    message = state.message or state.setup.scene.title or state.setup.name
+    if state.failed:
+        imgui.push_style_color(imgui.Col_.text, (*PALETTES[state.theme].alarm, 1.0))
+    text = f"{numbers}   {triangles(state.setup.scene):,} triangles"
+    end = imgui.get_window_width() - imgui.get_style().window_padding.x
+    start = end - imgui.calc_text_size(text).x
+    room = start - imgui.get_style().window_padding.x - imgui.get_font_size()
+    imgui.text_unformatted(_cut(message, room))
+    imgui.set_item_tooltip(_wrapped(message))
+    if state.failed:
+        imgui.pop_style_color()
+    imgui.same_line(start)
+    imgui.text_disabled(text)
+    line = "needs: " + described(state.setup)
+    imgui.text_disabled(_cut(line, imgui.get_content_region_avail().x))
+    imgui.set_item_tooltip(
+        "the features that this scene uses; nothing else is compiled or computed\n" + line
+    )
+
+
+def triangles(scene: Scene) -> int:
+    """How many triangles the scene has."""
+    return sum(len(item.geometry().mesh.faces) for item in scene.objects)
+
+
+def described(setup: Setup) -> str:
+    """The distinct needs of the objects, in words."""
+    return _described(setup.scene, setup.settings, setup.camera)
+
+
+@lru_cache(maxsize=4)
+def _described(scene: Scene, settings: Settings, camera: Camera) -> str:
+    everything = surfaces(scene, settings.weights)
+    view = view_of(camera, everything, (4, 3))
+    every = (needs(surface, view, settings, True).describe() for surface in everything)
+    return "; ".join(dict.fromkeys(every)) or "nothing: no object"
+
+
+def _cut(text: str, room: float) -> str:
+    """The text, or as much of it as there is room for."""
+    text = text.replace("\n", " ")
+    if imgui.calc_text_size(text).x <= room:
+        return text
+    low, high = 0, len(text)
+    while low < high:  # the longest head that fits
+        middle = (low + high + 1) // 2
+        fits = imgui.calc_text_size(text[:middle] + "…").x <= room
+        low, high = (middle, high) if fits else (low, middle - 1)
+    return text[:low] + "…"
+
+
+def _wrapped(text: str, width: int = 80) -> str:
+    from textwrap import fill
+
+    return fill(text, width).replace("%", "%%")

@@ -1,0 +1,42 @@
+"""One smoke test with a real window, on a display that Xvfb pretends to be."""
+
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+pytestmark = pytest.mark.gl
+
+SCRIPT = """
+from playground.gui import actions, app, open_window
+from playground.scene.library import load
+
+kept = []
+
+class Brief(app.LightingWindow):
+    def on_render(self, time, frame_time):
+        super().on_render(time, frame_time)
+        kept.append(self.pixels(self.view_box()).std())
+        if len(kept) == 5:
+            self.on_files_dropped_event(0, 0, ["nowhere.obj"])
+        if len(kept) == 10:
+            assert self.state.failed and "nowhere.obj" in self.state.message
+            self.state = actions.quit_window(self.state)
+
+app.LightingWindow = Brief
+assert open_window(load("sphere")) == 0
+assert len(kept) == 11, len(kept)
+assert min(kept[2:]) > 5.0, kept
+print("closed")
+"""
+
+
+def test_the_window_opens_draws_and_closes(gl_context, tmp_path):
+    if not (sys.platform.startswith("linux") and shutil.which("xvfb-run")):
+        pytest.skip("xvfb-run is not installed")
+    command = ["xvfb-run", "-a", "-s", "-screen 0 1280x720x24", sys.executable, "-c", SCRIPT]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.strip() == "closed", done.stderr
+    assert not list(tmp_path.glob("*.png")), "no window: " + done.stderr
