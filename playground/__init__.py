@@ -10,7 +10,10 @@ Names are loaded when they are first used: importing the package costs nothing.
 from __future__ import annotations
 
 from importlib import import_module
-from typing import Any
+
+TYPE_CHECKING = False  # typing.TYPE_CHECKING without the time that importing typing takes
+if TYPE_CHECKING:
+    from typing import Any
 
 __version__ = "0.1.0"
 

@@ -7,8 +7,13 @@ the user, told in one message without a traceback.
 from __future__ import annotations
 
 import argparse
+import io
+import math
+import os
+import re
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,24 +25,50 @@ if TYPE_CHECKING:
 
 PROGRAM = "playground"
 COMMANDS = ("render", "compare", "explain", "measure", "doctor")
+TOO_LARGE = PlaygroundError(
+    "the picture, or the model, is too large for this machine's memory",
+    fix="Choose a smaller --size.",
+)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; returns the exit status."""
     words = list(sys.argv[1:] if arguments is None else arguments)
+    if isinstance(sys.stdout, io.TextIOWrapper):  # no terminal is too poor for a ρ
+        sys.stdout.reconfigure(errors="replace")
     try:
         if not words or (words[0] not in COMMANDS and not words[0].startswith("-")):
             words = ["window", *words]
         options = _parser(words).parse_args(words)
-        return int(options.run(options) or 0)
+        status = int(options.run(options) or 0)
+        if sys.stdout is not None:
+            sys.stdout.flush()
+        return status
     except PlaygroundError as error:
-        print(f"{PROGRAM}: {error}", file=sys.stderr)
-        return 2
+        return _refuse(error)
+    except MemoryError:
+        return _refuse(TOO_LARGE)
     except KeyboardInterrupt:
         print(f"{PROGRAM}: stopped", file=sys.stderr)
         return 130
     except BrokenPipeError:
+        _drop_output()
         return 0
+    except OSError as error:
+        _drop_output()
+        fix = "Check the space on the disk and where the output goes."
+        return _refuse(PlaygroundError("cannot read or write", got=str(error), fix=fix))
+
+
+def _refuse(error: PlaygroundError) -> int:
+    print(f"{PROGRAM}: {error}", file=sys.stderr)
+    return 2
+
+
+def _drop_output() -> None:
+    """Send what is still to be printed nowhere: nobody takes it, and the exit would complain."""
+    with suppress(OSError, ValueError, AttributeError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _parser(arguments: Sequence[str] = ()) -> argparse.ArgumentParser:
@@ -49,7 +80,9 @@ def _parser(arguments: Sequence[str] = ()) -> argparse.ArgumentParser:
         f"program, or a name of the library: {', '.join(_library(arguments))}.",
     )
     parser.add_argument("--version", action="version", version=_version())
-    subparsers = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    subparsers = parser.add_subparsers(
+        prog=PROGRAM, dest="command", required=True, metavar="COMMAND"
+    )
 
     for add in (_add_window, _add_render, _add_compare, _add_explain, _add_measure, _add_doctor):
         add(subparsers)
@@ -58,7 +91,7 @@ def _parser(arguments: Sequence[str] = ()) -> argparse.ArgumentParser:
 
 def _add_window(subparsers: Subparsers) -> None:
     window = subparsers.add_parser("window", help="the window; without a display, a picture")
-    window.add_argument("setup", nargs="?", default="teapot", metavar="SETUP")
+    window.add_argument("setup", nargs="?", metavar="SETUP")
     _setup_options(window)
     window.set_defaults(run=commands.window)
 
@@ -80,7 +113,7 @@ def _add_compare(subparsers: Subparsers) -> None:
     compare.add_argument("-o", "--output", type=Path, help="the difference in false colours")
     compare.add_argument("--json", action="store_true", help="one JSON document, nothing else")
     compare.add_argument(
-        "--tolerance", type=float, help="status 1 if the largest difference exceeds"
+        "--tolerance", type=_tolerance, help="status 1 if the largest difference exceeds"
     )
     _picture_options(compare)
     compare.set_defaults(run=commands.compare)
@@ -139,10 +172,17 @@ def _setup_options(parser: argparse.ArgumentParser) -> None:
 
 
 def _size(text: str) -> tuple[int, int]:
-    width, cross, height = text.lower().partition("x")
-    if not (cross and width.isdigit() and height.isdigit()):
+    match = re.fullmatch(r"([0-9]{1,9})x([0-9]{1,9})", text.lower())
+    if match is None:
         raise argparse.ArgumentTypeError(f"'{text}' is no size; write WxH, for example 640x480")
-    return int(width), int(height)
+    return int(match[1]), int(match[2])
+
+
+def _tolerance(text: str) -> float:
+    with suppress(ValueError):
+        if 0.0 <= (value := float(text)) < math.inf:
+            return value
+    raise argparse.ArgumentTypeError(f"'{text}' is no tolerance; write a number such as 0.01")
 
 
 def _library(arguments: Sequence[str]) -> list[str]:

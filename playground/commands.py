@@ -19,6 +19,12 @@ if TYPE_CHECKING:
 
 DEFAULT_SIZE = (640, 480)
 PANEL_SIZE = (400, 300)  # of each picture of a sheet
+SHEET_TOLERANCE = 1e-3  # a quarter of an 8-bit step: the sum of the terms must be this good
+SHEET_SETS = {  # the options that a sheet decides itself
+    "terms": ("terms", "shading"),
+    "shininess": ("shininess",),
+    "shading": ("shading",),
+}
 
 
 def _setup(options: Namespace, name: str | None = None) -> Setup:
@@ -41,34 +47,54 @@ def window(options: Namespace) -> int:
     """Open the window; without a display, make a picture of the same view."""
     from playground.gui import open_window
 
-    return open_window(_setup(options))
+    said = (options.setup, options.light, options.shading, options.terms, options.shininess)
+    again = not any(said) and not options.set
+    return open_window(_setup(options, options.setup or "teapot"), again)
 
 
 def render(options: Namespace) -> int:
-    """Write a picture or a sheet."""
-    from playground.files import write_whole
-    from playground.render.image_file import check_suffix, png_bytes
+    """Write a picture or a sheet; status 1 if a sheet finds its own sum wrong."""
+    from playground.render.checks import check_method
+    from playground.render.image_file import check_suffix
 
     suffix = check_suffix(options.output)
-    if options.sheet is None:
-        if suffix == ".png":
-            renderer = _save_png(options, _setup(options))
-        else:
-            image = _picture(options, _setup(options))
-            image.save(options.output)
-            renderer = image.renderer
-        width, height = options.size or DEFAULT_SIZE
-        _say(f"{options.output}  {width}x{height}  {renderer}")
-        _hint(options.renderer, renderer)
-        return 0
-    from playground.explain.sheet import make_sheet
+    check_method(options.method)
+    if options.sheet is not None:
+        return _sheet(options, suffix)
+    if suffix == ".png":
+        renderer = _save_png(options, _setup(options))
+    else:
+        image = _picture(options, _setup(options))
+        image.save(options.output)
+        renderer = image.renderer
+    width, height = options.size or DEFAULT_SIZE
+    _say(f"{options.output}  {width}x{height}  {renderer}")
+    _hint(options.renderer, renderer)
+    return 0
 
-    if options.output.suffix.lower() != ".png":
+
+def _sheet(options: Namespace, suffix: str) -> int:
+    from playground.explain.sheet import make_sheet
+    from playground.files import write_whole
+    from playground.render.gl.context import available
+    from playground.render.image_file import png_bytes
+
+    if suffix != ".png":
         raise PlaygroundError("a sheet is saved as .png", got=str(options.output))
     setup = _setup(options)
     sheet = make_sheet(setup, options.sheet, options.size or PANEL_SIZE, options.renderer)
     write_whole(options.output, png_bytes(sheet.codes, setup, sheet.message))
-    _say(f"{options.output}  {sheet.message}")
+
+    renderer = "gl" if options.renderer != "numpy" and available() else "numpy"
+    height, width = sheet.codes.shape[:2]
+    _say(f"{options.output}  {width}x{height}  {renderer}  {sheet.message}")
+    _hint(options.renderer, renderer)
+    for key in SHEET_SETS[options.sheet]:
+        if getattr(options, key) is not None:
+            _say(f"--{key} has no effect: the {options.sheet} sheet sets the {key} itself")
+    if sheet.error is not None and sheet.error > SHEET_TOLERANCE:
+        _say(f"the check failed: the sum is off by {sheet.error:.2g}, more than {SHEET_TOLERANCE}")
+        return 1
     return 0
 
 
@@ -78,9 +104,8 @@ def _save_png(options: Namespace, setup: Setup) -> str:
 
     from playground.files import write_whole
     from playground.render.image_file import png_bytes
-    from playground.render.renderer import check_method, open_renderer
+    from playground.render.renderer import open_renderer
 
-    check_method(options.method)
     with open_renderer(options.size or DEFAULT_SIZE, options.renderer) as renderer:
         codes = np.empty((renderer.size[1], renderer.size[0], 4), dtype=np.uint8)
         renderer.render(setup, out=codes)
@@ -98,8 +123,19 @@ def _picture(options: Namespace, setup: Setup) -> Image:
 def compare(options: Namespace) -> int:
     """Print how two pictures differ; status 1 beyond the tolerance."""
     from playground.measure.compare import compare
+    from playground.render.image_file import check_suffix
 
-    result = compare(_picture_or_setup(options, options.a), _picture_or_setup(options, options.b))
+    if options.output is not None:
+        check_suffix(options.output)
+    names = (options.a, options.b)
+    images = [_picture_or_setup(options, name) for name in names]
+    result = compare(*images)
+    drawn = [image.renderer for image in images if image.renderer != "file"]
+    for name, image in zip(names, images, strict=True):
+        if image.renderer != "file":
+            _say(f"{name}  {image.size[0]}x{image.size[1]}  {image.renderer}")
+    if drawn:
+        _hint(options.renderer, drawn[0])
     if options.output is not None:
         result.heatmap().save(options.output)
     print(result.to_json() if options.json else result)

@@ -9,7 +9,16 @@ from typing import Any
 
 from playground.render.gl.context import INSTALL_DRIVER, INSTALL_WINDOW
 
-PACKAGES = ("numpy", "moderngl", "moderngl-window", "imgui-bundle", "pyrr", "trimesh", "pillow")
+PACKAGES = (
+    "numpy",
+    "moderngl",
+    "moderngl-window",
+    "imgui-bundle",
+    "glfw",
+    "pyrr",
+    "trimesh",
+    "pillow",
+)
 
 
 def examine() -> dict[str, Any]:

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+LONGEST = 200  # characters of a value in a message
+
 
 class PlaygroundError(ValueError):
     """A mistake of the user, told in up to four parts.
@@ -18,7 +20,7 @@ class PlaygroundError(ValueError):
     what : str
         What is wrong, naming the thing: ``"light.inner_angle must be below outer_angle"``.
     got : object, optional
-        The offending value, shown as it was given.
+        The offending value; text is shown as it is, anything else as Python writes it.
     allowed : str, optional
         What would be right: a range with its unit, or the known names.
     fix : str, optional
@@ -31,11 +33,31 @@ class PlaygroundError(ValueError):
         self.what, self.got, self.allowed, self.fix = what, got, allowed, fix
         parts = [what.rstrip(".")]
         if got is not None:
-            parts.append(f"got {got if isinstance(got, str) else repr(got)}")
+            parts.append(f"got {shortened(got if isinstance(got, str) else shown(got))}")
         if allowed is not None:
             parts.append(f"allowed: {allowed}")
         message = "; ".join(parts) + "."
         super().__init__(f"{message} {fix}" if fix else message)
+
+
+def shown(value: object) -> str:
+    """How Python writes ``value``; its type where it cannot: nested too deep, too many digits."""
+    try:
+        return repr(value)
+    except (RecursionError, ValueError):
+        return f"a value of type {type(value).__name__}, too large to be shown"
+
+
+def why_unread(error: ValueError | RecursionError) -> str:
+    """What a reader of TOML or JSON complains of, also where it does not say it itself."""
+    if isinstance(error, RecursionError):
+        return "too many brackets in one another"
+    return "a number of too many digits" if type(error) is ValueError else str(error)
+
+
+def shortened(text: str) -> str:
+    """The first `LONGEST` characters of ``text``."""
+    return text if len(text) <= LONGEST else f"{text[:LONGEST]}..."
 
 
 def unknown_name(kind: str, name: object, known: Iterable[str]) -> PlaygroundError:
@@ -43,7 +65,8 @@ def unknown_name(kind: str, name: object, known: Iterable[str]) -> PlaygroundErr
     from difflib import get_close_matches
 
     known = sorted(set(known))
-    near = get_close_matches(str(name), known, n=1, cutoff=0.5)
+    name = shortened(name if isinstance(name, str) else shown(name))
+    near = get_close_matches(name, known, n=1, cutoff=0.5)
     return PlaygroundError(
         f"unknown {kind}",
         got=f"'{name}'",

@@ -14,9 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.errors import PlaygroundError
+from playground.explain.sight import sight
+from playground.render.checks import check_setup, check_size
 from playground.render.needs import needs
-from playground.render.numpy_renderer import eye_normals, eye_positions, visibility
-from playground.render.renderer import check_setup, check_size
+from playground.render.numpy_renderer import eye_normals, eye_positions
 from playground.render.shade import Contribution, contribution
 from playground.render.surface import Surface, surfaces
 from playground.render.view import View, view_of
@@ -133,7 +134,7 @@ def explain(
     settings = setup.settings
     everything = surfaces(setup.scene, settings.weights)
     view = view_of(setup.camera, everything, (width, height))
-    frame = visibility(everything, view, (width, height))
+    frame = sight(everything, view, setup.camera, (width, height))
     number = int(frame.object[y, x])
     if number < 0:
         return _explanation(setup, (x, y), (width, height), np.array(setup.scene.background))

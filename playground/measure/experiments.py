@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from playground.errors import PlaygroundError, unknown_name
-from playground.files import write_whole
+from playground.files import make_folder, write_whole
 
 Rows = list[Any]
 
@@ -25,7 +25,8 @@ def run_experiments(names: Iterable[str], folder: Path | None, rounds: int, as_j
     Raises
     ------
     PlaygroundError
-        No experiment of that name, or no positive number of rounds.
+        No experiment of that name, no positive number of rounds, no place for the tables,
+        or no GL driver for an experiment that needs one.
     """
     names = list(names) or list(EXPERIMENTS)
     for name in names:
@@ -34,7 +35,11 @@ def run_experiments(names: Iterable[str], folder: Path | None, rounds: int, as_j
     if rounds < 1:
         raise PlaygroundError("too few rounds", got=rounds, allowed="1 or more")
     if folder is not None:
-        folder.mkdir(parents=True, exist_ok=True)
+        make_folder(folder)
+    if NEEDS_GL & set(names):
+        from playground.render.gl.context import headless
+
+        headless()
     results: dict[str, Any] = {"machine": machine()}
     for name in names:
         rows = EXPERIMENTS[name](rounds, not as_json)
@@ -49,11 +54,11 @@ def run_experiments(names: Iterable[str], folder: Path | None, rounds: int, as_j
 
 
 def machine() -> dict[str, Any]:
-    """What the figures were measured on."""
-    from playground.render.gl.context import headless
+    """What the figures were measured on; no GL where there is no driver."""
+    from playground.render.gl.context import available, headless
 
     return {
-        "gl": headless().info["GL_RENDERER"],
+        "gl": headless().info["GL_RENDERER"] if available() else None,
         "cores": os.cpu_count(),
         "python": platform.python_version(),
         "system": platform.platform(terse=True),
@@ -109,3 +114,4 @@ EXPERIMENTS: dict[str, Callable[[int, bool], Rows]] = {
     "frames": _frames,
     "first-image": _first_image,
 }
+NEEDS_GL = {"frames"}

@@ -7,9 +7,10 @@ the float64 reference. Per-vertex shading pops: its curve jumps where the others
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable
 from dataclasses import dataclass, replace
 from math import cos, radians, sin
+from typing import Any
 
 import numpy as np
 
@@ -52,7 +53,8 @@ def scope(
     modes: Iterable[str] = MODES,
     size: tuple[int, int] = (160, 120),
     renderer: str = "auto",
-) -> Iterator[Step]:
+    context: Any = None,
+) -> Generator[Step]:
     """Measure ``setup`` at each angle of the orbit; yields as it goes.
 
     Parameters
@@ -61,9 +63,10 @@ def scope(
     modes : of "flat", "per-vertex", "per-fragment" and "reference"
     size : of the pictures that are measured, in pixels
     renderer : for every mode but the reference, which is float64 NumPy
+    context : of a window, to draw in
     """
     modes = tuple(modes)
-    with open_renderer(size, renderer) as drawn, open_renderer(size, "numpy") as exact:
+    with open_renderer(size, renderer, context) as drawn, open_renderer(size, "numpy") as exact:
         for angle in angles:
             turned = setup.with_(camera=orbit(setup.camera, angle), samples=1)
             found = {}

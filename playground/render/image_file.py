@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from io import BytesIO
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from playground.errors import PlaygroundError, unknown_name
 from playground.files import read_bytes, write_whole
-from playground.scene.setup_picture import SETUP_KEY, setup_inside, setup_text
+from playground.scene.setup_picture import SETUP_KEY, picture_flaw, setup_inside, setup_text
 
 if TYPE_CHECKING:
     from playground.render.image import Image
@@ -62,10 +63,12 @@ def png_bytes(codes: NDArray[np.uint8], setup: Setup | None = None, title: str =
 def read_image(path: Path) -> Image:
     """The picture in a file: PNG codes count as linear values, without undoing any curve.
 
+    A setup inside a PNG that cannot be understood does not count: the pixels are sound.
+
     Raises
     ------
     PlaygroundError
-        The file is missing, damaged, or of another kind.
+        The file is missing, damaged, of another kind, or holds no real finite numbers.
     """
     from playground.render.image import Image
 
@@ -73,17 +76,51 @@ def read_image(path: Path) -> Image:
     data = read_bytes(path)
     try:
         if suffix == ".npy":
-            pixels = np.load(BytesIO(data), allow_pickle=False)
+            pixels = _read_npy(data)
         elif suffix == ".exr":
             pixels = _read_exr(path)
         else:
             pixels = _read_png(data)
+    except MemoryError:
+        raise
     except Exception as error:  # each library has its own way to complain
-        raise _damaged(path, str(error)) from None
-    if pixels.ndim != 3 or pixels.shape[2] not in (3, 4) or 0 in pixels.shape:
-        raise PlaygroundError(f"{path} holds no picture", got=pixels.shape, allowed="(H, W, 3)")
-    pixels = np.ascontiguousarray(pixels[..., :3], dtype=np.float32)
-    return Image(pixels, setup=setup_inside(data) if suffix == ".png" else None, renderer="file")
+        raise PlaygroundError(
+            f"the picture {path} is damaged or no picture",
+            got=picture_flaw(error) if suffix == ".png" else str(error),
+            fix="Make it again.",
+        ) from None
+    setup = None
+    if suffix == ".png":
+        with suppress(PlaygroundError):
+            setup = setup_inside(data)
+    return Image(_as_pixels(pixels, path), setup=setup, renderer="file")
+
+
+def _as_pixels(values: NDArray[Any], path: Path) -> NDArray[np.float32]:
+    """The values of a file as pixels, float32 (H, W, 3)."""
+    if values.ndim != 3 or values.shape[2] not in (3, 4) or 0 in values.shape:
+        raise PlaygroundError(f"{path} holds no picture", got=values.shape, allowed="(H, W, 3)")
+    if values.dtype.kind not in "iuf":
+        raise PlaygroundError(
+            f"{path} holds no picture", got=f"values of type {values.dtype}", allowed="real numbers"
+        )
+    with np.errstate(over="ignore"):
+        pixels = np.ascontiguousarray(values[..., :3], dtype=np.float32)
+    if not np.isfinite(pixels).all():
+        row, column, _ = np.argwhere(~np.isfinite(pixels))[0]
+        raise PlaygroundError(
+            f"{path}: the pixel ({column}, {row}) is not finite",
+            got=str(values[row, column, :3].tolist()),
+            allowed="numbers from -3.4e38 to 3.4e38",
+        )
+    return pixels
+
+
+def _read_npy(data: bytes) -> NDArray[Any]:
+    values = np.load(BytesIO(data), allow_pickle=False)
+    if not isinstance(values, np.ndarray):
+        raise ValueError("an archive of arrays")
+    return values
 
 
 def _read_png(data: bytes) -> NDArray[np.float64]:
@@ -113,9 +150,3 @@ def _exr_bytes(pixels: NDArray[np.float32]) -> bytes:
         with OpenEXR.File(header, {"RGB": np.ascontiguousarray(pixels)}) as file:
             file.write(name)
         return Path(name).read_bytes()
-
-
-def _damaged(path: Path, reason: str) -> PlaygroundError:
-    return PlaygroundError(
-        f"the picture {path} is damaged or no picture", got=reason, fix="Make it again."
-    )

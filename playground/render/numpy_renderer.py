@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.errors import PlaygroundError
+from playground.render.checks import check_out, check_setup
 from playground.render.image import Image
 from playground.render.raster.rasterize import Frame, rasterize
-from playground.render.renderer import check_out, check_setup
 from playground.render.shade import shade
 from playground.render.surface import Surface, surfaces
 from playground.render.view import View, view_of

@@ -12,7 +12,7 @@ from math import radians
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.render.texels import load_texture
+from playground.render.texels import check_texcoords, load_texture
 from playground.scene.light import DirectionalLight, Light, PointLight, SpotLight
 from playground.scene.mesh import Mesh
 from playground.scene.scene import Object, Scene
@@ -87,7 +87,7 @@ def _surface(item: Object, lights: tuple[Light, ...], weights: dict[str, float])
     constant = weighted_sum(
         0.0, 0.0, ambient, emissive_term(material.emissive), list(weights.values())
     )
-    textured = material.texture and geometry.mesh.texcoords is not None
+    check_texcoords(item, geometry.mesh)
     return Surface(
         mesh=geometry.mesh,
         linear=linear,
@@ -99,7 +99,7 @@ def _surface(item: Object, lights: tuple[Light, ...], weights: dict[str, float])
         constant_terms=constant,
         shininess=material.shininess,
         lights=tuple(surface_light(light, item, weights) for light in lights),
-        texels=load_texture(material.texture, material.texture_encoding) if textured else None,
+        texels=load_texture(material.texture, material.texture_encoding) if material.texture else None,
     )
 
 

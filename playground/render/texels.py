@@ -8,17 +8,17 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from playground import locate
 from playground.errors import PlaygroundError
-from playground.files import read_bytes
+from playground.files import Stamp, read_bytes, stamp, texture_file
+from playground.scene.mesh import Mesh
+from playground.scene.scene import Object
 from playground.shading.display import srgb_decode
 
 
-@lru_cache(maxsize=16)
 def load_texture(path: str, encoding: str = "linear") -> NDArray[np.float32]:
     """The texels of an image file, linear RGB in [0, 1], float32 (H, W, 3), row 0 at v = 0.
 
-    A name without a folder that is no file is looked up among the project's textures.
+    A bare name that is no file here is looked up among the project's textures.
     ``encoding`` says whether the stored numbers carry the sRGB curve.
 
     Raises
@@ -26,23 +26,37 @@ def load_texture(path: str, encoding: str = "linear") -> NDArray[np.float32]:
     PlaygroundError
         The file is missing, damaged, or no image.
     """
+    file = texture_file(path, Path())
+    return _texels(file, encoding, stamp(file))
+
+
+def check_texcoords(item: Object, mesh: Mesh) -> None:
+    """Raise an error where an object has a texture and its mesh cannot say where it goes."""
+    if item.material.texture and mesh.texcoords is None:
+        raise PlaygroundError(
+            f"the mesh '{mesh.name or item.mesh}' has no texture coordinates",
+            got=f"material.texture = {item.material.texture}",
+            allowed="a texture on a mesh that has them",
+            fix="Remove the texture, or export the model with texture coordinates (UV).",
+        )
+
+
+@lru_cache(maxsize=16)
+def _texels(file: Path, encoding: str, state: Stamp) -> NDArray[np.float32]:
+    """The texels of a file; ``state`` tells one that has changed from what it was."""
     from io import BytesIO
 
     from PIL import Image, UnidentifiedImageError
 
-    file = Path(path)
-    if not file.exists() and locate.asset(f"textures/{file.name}").is_file():
-        file = locate.asset(f"textures/{file.name}")
+    data = read_bytes(file)
     try:
-        with Image.open(BytesIO(read_bytes(file))) as picture:
+        with Image.open(BytesIO(data)) as picture:
             pixels = np.asarray(picture.convert("RGB"), dtype=np.float64) / 255.0
     except UnidentifiedImageError:
         raise PlaygroundError(
             f"{file} is no image", allowed="PNG, JPEG and other common formats"
         ) from None
     except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
-        if isinstance(error, PlaygroundError):
-            raise
         raise PlaygroundError(
             f"the image {file} is damaged", got=str(error), fix="Export it again."
         ) from None

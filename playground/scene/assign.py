@@ -10,12 +10,23 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from playground.errors import PlaygroundError, unknown_name
+from playground.errors import PlaygroundError, shortened, unknown_name
 from playground.scene.knob import Knob, knobs
 from playground.scene.light import LIGHTS, Light
 from playground.scene.setup import Setup, owner_of
 
 SECTIONS = ("scene", "camera", "settings", "light", "object")
+WHOLE = {  # what is no single quantity, and how to write one of it
+    "scene": "scene.background=0,0,0",
+    "camera": "camera.eye=0,0,4",
+    "settings": "settings.gate=on",
+    "lights": "light.0.diffuse=1,0,0",
+    "objects": "object.0.mesh=box",
+    "light": "light.0.diffuse=1,0,0",
+    "object": "object.0.mesh=box",
+    "material": "object.0.material.shininess=20",
+    "transform": "object.0.transform.size=2",
+}
 _TRUE, _FALSE = ("true", "on", "yes", "1"), ("false", "off", "no", "0")
 
 
@@ -35,6 +46,13 @@ def assign(setup: Setup, assignment: str) -> Setup:
         )
     parts = path.split(".")
     if len(parts) == 1:
+        if path in WHOLE:
+            raise PlaygroundError(
+                f"'{path}' is no single quantity",
+                got=assignment,
+                allowed="key=value, with the whole path as the key",
+                fix=f"Write {WHOLE[path]}.",
+            )
         knob = knobs(owner_of(path)[1])[path]
         return setup.with_(**{path: read(knob, value, path)})
     section, rest = parts[0], parts[1:]
@@ -94,9 +112,9 @@ def _changed(item: Any, path: list[str], value: str, where: str) -> Any:
 
 
 def _index(text: str, count: int, section: str) -> int:
-    if not text.isdigit() or int(text) >= count:
+    if not (text.isascii() and text.isdecimal() and len(text) <= 9) or int(text) >= count:
         allowed = f"0 to {count - 1}" if count else f"this setup has no {section}"
-        raise PlaygroundError(f"there is no {section}.{text}", allowed=allowed)
+        raise PlaygroundError(f"there is no {section}.{shortened(text)}", allowed=allowed)
     return int(text)
 
 

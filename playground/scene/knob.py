@@ -13,7 +13,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from playground.errors import PlaygroundError, unknown_name
+from playground.errors import PlaygroundError, shown, unknown_name
 
 UNBOUNDED = 1e30  # beyond this a float32 square overflows; no knob reaches further
 
@@ -48,7 +48,7 @@ class Knob:
         if self.kind == "names":
             return "a list of " + ", ".join(self.choices)
         if self.kind == "text":
-            return "text"
+            return "text without null characters"
         what = {"integer": "a whole number", "number": "a number"}.get(self.kind, "three numbers")
         unit = f" {self.unit}" if self.unit else ""
         if self.low <= -UNBOUNDED and self.high >= UNBOUNDED:
@@ -63,7 +63,7 @@ class Knob:
     def _refuse(self, value: Any, where: str) -> PlaygroundError:
         symbol = f" ({self.symbol})" if self.symbol else ""
         return PlaygroundError(
-            f"{where}{symbol} is not valid", got=value, allowed=self.allowed, fix=None
+            f"{where}{symbol} is not valid", got=shown(value), allowed=self.allowed
         )
 
 
@@ -95,6 +95,8 @@ def _check_switch(knob: Knob, value: Any, where: str) -> bool:
 
 def _check_choice(knob: Knob, value: Any, where: str) -> str:
     value = getattr(value, "value", value)
+    if not isinstance(value, str):
+        raise knob._refuse(value, where)
     if value not in knob.choices:
         raise unknown_name(where, value, knob.choices)
     return str(value)
@@ -106,7 +108,7 @@ def _check_names(knob: Knob, value: Any, where: str) -> tuple[str, ...]:
     if not isinstance(value, (list, tuple, set, frozenset)):
         raise knob._refuse(value, where)
     for name in value:
-        if name not in knob.choices:
+        if not isinstance(name, str) or name not in knob.choices:
             raise unknown_name(where, name, knob.choices)
     return tuple(name for name in knob.choices if name in value)
 
@@ -125,7 +127,7 @@ def _check_triple(knob: Knob, value: Any, where: str) -> tuple[float, float, flo
 
 
 def _check_text(knob: Knob, value: Any, where: str) -> str:
-    if not isinstance(value, str):
+    if not isinstance(value, str) or "\0" in value:
         raise knob._refuse(value, where)
     return value
 

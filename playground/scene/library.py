@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import replace
 from pathlib import Path
 
 from playground import locate
-from playground.errors import PlaygroundError, unknown_name
+from playground.errors import PlaygroundError, shown, unknown_name
+from playground.files import resolved
 from playground.scene.scene import MESH_FILES, Object, Scene
 from playground.scene.setup import Setup
 from playground.scene.setup_file import read_setup
@@ -35,24 +37,30 @@ def load(name: str | Path) -> Setup:
     PlaygroundError
         Nothing of that name, or the file is wrong; the message says what and where.
     """
+    if not isinstance(name, (str, Path)):
+        raise PlaygroundError(
+            "load takes a name or a path",
+            got=shown(name),
+            allowed="text or a pathlib.Path",
+            fix='Write load("teapot").',
+        )
     path = Path(name)
     suffix = path.suffix.lower()
     if suffix == ".toml":
         return read_setup(path)
     if suffix in MESH_FILES:
-        return _model(str(path), path.stem)
+        return _model(str(resolved(path)), path.stem)
     if suffix == ".png":
         from playground.scene.setup_picture import read_setup_inside
 
         return replace(read_setup_inside(path), name=path.stem)
-    file = locate.asset(f"scenes/{name}.toml")
-    if file.is_file() and str(name) in library():
-        return read_setup(file)
+    if str(name) in library():
+        return read_setup(locate.asset(f"scenes/{name}.toml"))
     from playground.scene.shapes import SHAPES
 
     if str(name) in SHAPES:
         return _model(str(name), str(name))
-    if suffix or path.exists():
+    if suffix or os.path.exists(path):
         raise PlaygroundError(
             f"{name} is of no kind that can be loaded",
             allowed=".toml, .png saved by this program, " + ", ".join(MESH_FILES),

@@ -11,14 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.errors import PlaygroundError
+from playground.files import no_name
 from playground.scene.mesh import Mesh
 from playground.scene.normals import smooth, weld
 from playground.scene.obj_file import Part, read_obj
-from playground.scene.trimesh_file import read_parts
+from playground.scene.trimesh_file import FlawError, read_parts
 
 Floats = NDArray[np.float64]
 
 SUFFIXES = (".obj", ".ply", ".stl", ".glb", ".gltf")
+LARGEST = 1e28  # of a coordinate: a camera that sees all of it stands within 1e30
 EXPORT_AGAIN = "Export the model again as triangles, for example from Blender."
 
 
@@ -48,7 +50,8 @@ def load_mesh(path: str | Path) -> tuple[Mesh, Floats]:
     """
     path = Path(path)
     part = _parts_joined(_read(path), path)
-    offset = _middle(part, path)
+    _check_places(part, path)
+    offset = _middle(part)
     centred, faces, texcoords = part.positions - offset, part.faces, part.texcoords
     if path.suffix.lower() == ".stl":
         centred, faces = _welded(centred, faces)
@@ -81,8 +84,12 @@ def _read(path: Path) -> bytes:
             f"there is no mesh file {path}",
             got="no such file",
             allowed=allowed,
-            fix="Check the path; it starts at the current folder.",
+            fix="Check the path.",
         ) from None
+    except PlaygroundError:
+        raise
+    except ValueError:
+        raise no_name(path) from None
     except OSError as error:
         raise PlaygroundError(
             f"cannot read the mesh file {path}",
@@ -112,9 +119,13 @@ def _parts_joined(data: bytes, path: Path) -> Part:
         # Whatever goes wrong inside a foreign reader is a flaw of the file to its user
         try:
             parts = read_parts(data, path)
+        except MemoryError:
+            raise
+        except FlawError as flaw:
+            raise _damaged(path, str(flaw)) from None
         except Exception as error:
             reason = " ".join(f"{type(error).__name__}: {error}".split())
-            raise _damaged(path, reason[:200]) from None
+            raise _damaged(path, reason) from None
     parts = [part for part in parts if len(part.faces)]
     if not parts:
         raise _damaged(path, "no triangles (points or lines only)")
@@ -140,8 +151,8 @@ def _stacked(
     return np.concatenate(filled)
 
 
-def _middle(part: Part, path: Path) -> Floats:
-    """The middle of the box around all faces, float64, shape (3,)."""
+def _check_places(part: Part, path: Path) -> None:
+    """Raise an error for positions or indices that no mesh can have."""
     count = len(part.positions)
     bad = np.argwhere(~np.isfinite(part.positions))
     if len(bad):
@@ -161,6 +172,18 @@ def _middle(part: Part, path: Path) -> Floats:
             allowed=f"0 to {count - 1}",
             fix=EXPORT_AGAIN,
         )
+    largest = float(np.abs(part.positions).max())
+    if largest > LARGEST:
+        raise PlaygroundError(
+            f"{path}: the model is too large or too far from the origin",
+            got=f"a coordinate of {largest:.3g}",
+            allowed=f"coordinates from {-LARGEST:g} to {LARGEST:g}",
+            fix="Scale or move the model, and export it again.",
+        )
+
+
+def _middle(part: Part) -> Floats:
+    """The middle of the box around all faces, float64, shape (3,)."""
     drawn = part.positions[part.faces.ravel()]
     middle: Floats = 0.5 * drawn.min(axis=0) + 0.5 * drawn.max(axis=0)
     return middle

@@ -46,7 +46,7 @@ def _largest(vectors: Floats) -> Floats:
     return largest
 
 
-def _cross(a: Floats, b: Floats) -> Floats:
+def cross(a: Floats, b: Floats) -> Floats:
     """The product a x b over the last axis, at a third of the time of np.cross."""
     result = np.empty_like(a)
     for k in range(3):
@@ -87,7 +87,7 @@ def face_normals(positions: NDArray[Any], faces: NDArray[Any]) -> Floats:
     outgoing = direction(edges[(longest + 2) % 3, rows])
 
     # Drop what is mere rounding of parallel edges
-    normal = _cross(incoming, outgoing)
+    normal = cross(incoming, outgoing)
     normal[_largest(normal) <= COLLINEAR_SINE] = 0.0
     return direction(normal)
 
@@ -102,8 +102,8 @@ def corner_angles(positions: NDArray[Any], faces: NDArray[Any]) -> Floats:
     angles = np.empty((len(first), 3))
     for corner in range(3):
         outgoing, incoming = sides[corner], sides[corner - 1]
-        cross = _cross(incoming, outgoing)
-        sine = np.sqrt(np.einsum("mi,mi->m", cross, cross))
+        turn = cross(incoming, outgoing)
+        sine = np.sqrt(np.einsum("mi,mi->m", turn, turn))
         angles[:, corner] = np.arctan2(sine, -np.einsum("mi,mi->m", incoming, outgoing))
     return angles
 

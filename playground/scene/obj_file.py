@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.errors import PlaygroundError
+from playground.scene.polygon import triangles
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -40,7 +41,7 @@ class Part(NamedTuple):
 
 
 def read_obj(data: bytes, file: str) -> Part:
-    """All faces of an .obj file, polygons cut into fans of triangles.
+    """All faces of an .obj file, polygons cut into triangles.
 
     Parameters
     ----------
@@ -69,7 +70,7 @@ def read_obj(data: bytes, file: str) -> Part:
         counts = len(values[key])
         corners[:, column] = _absolute(text, faces, owner, corners[:, column], key)
         _check_range(text, faces, owner, corners[:, column], key, counts, file)
-    return _assemble(values, corners, _fans(sizes))
+    return _assemble(values, corners, triangles(values["v"][corners[:, 0] - 1], sizes))
 
 
 def _plain(text: str) -> str:
@@ -164,20 +165,11 @@ def _check_range(
         _fail(text, start, f"this face names a '{key}' that is not there", allowed, file)
 
 
-def _fans(sizes: Integers) -> Integers:
-    """Corner numbers of the triangles (M, 3): each polygon is cut from its first corner."""
-    starts = np.cumsum(sizes) - sizes
-    triangles = sizes - 2
-    first = np.repeat(starts, triangles)
-    step = np.arange(triangles.sum()) - np.repeat(np.cumsum(triangles) - triangles, triangles)
-    return np.stack([first, first + step + 1, first + step + 2], axis=1)
-
-
-def _assemble(values: dict[str, Floats], corners: Integers, triangles: Integers) -> Part:
+def _assemble(values: dict[str, Floats], corners: Integers, cut: Integers) -> Part:
     """One vertex for each different (v, vt, vn), or the file's own vertices if v is all."""
     v, vt, vn = corners.T
     if not vt.any() and not vn.any():
-        return Part(values["v"], (v - 1)[triangles], None, None)
+        return Part(values["v"], (v - 1)[cut], None, None)
 
     # Number the different pairs, then the different (pair, vn)
     pair = np.unique(v * (len(values["vt"]) + 1) + vt, return_inverse=True)[1]
@@ -189,7 +181,7 @@ def _assemble(values: dict[str, Floats], corners: Integers, triangles: Integers)
     texcoords = np.concatenate([np.zeros((1, 2)), values["vt"]])[vt[first]]
     return Part(
         values["v"][v[first] - 1],
-        vertex.astype(np.int64)[triangles],
+        vertex.astype(np.int64)[cut],
         normals if vn.any() else None,
         texcoords if vt.any() else None,
     )

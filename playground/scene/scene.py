@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.errors import PlaygroundError, unknown_name
+from playground.errors import PlaygroundError, shown, unknown_name
+from playground.files import Stamp, stamp
 from playground.scene.knob import Declared, choice, colour, integer, text
 from playground.scene.light import DirectionalLight, Light
 from playground.scene.material import Material
@@ -52,11 +54,32 @@ class Object(Declared):
     transform: Transform = Transform()
     arrays: Mesh | None = field(default=None, compare=True)
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        kinds = {"material": Material, "transform": Transform, "arrays": Mesh | None}
+        for name, kind in kinds.items():
+            value = getattr(self, name)
+            if not isinstance(value, kind):
+                allowed = "a Mesh or None" if name == "arrays" else f"a {name.capitalize()}"
+                raise PlaygroundError(
+                    f"object.{name} is not valid", got=shown(value), allowed=allowed
+                )
+
     def geometry(self) -> Geometry:
-        """The mesh itself, loaded or generated once and then remembered."""
+        """The mesh itself, loaded or generated once and then remembered.
+
+        A file is read as it is at the first call: an object never changes.
+        """
+        return self._geometry
+
+    @cached_property
+    def _geometry(self) -> Geometry:
         if self.arrays is not None:
-            return _with_normals(Geometry(self.arrays, NO_OFFSET), self.normals)
-        return _with_normals(_source(self.mesh, self.tessellation), self.normals)
+            return Geometry(_with_normals(self.arrays, self.normals), NO_OFFSET)
+        file = Path(self.mesh)
+        state = stamp(file) if file.suffix.lower() in MESH_FILES else None
+        source = _source(self.mesh, self.tessellation, state)
+        return Geometry(_with_normals(source.mesh, self.normals), source.offset)
 
 
 @dataclass(frozen=True)
@@ -73,17 +96,28 @@ class Scene(Declared):
     def __post_init__(self) -> None:
         super().__post_init__()
         for name, kind in (("objects", Object), ("lights", Light)):
-            values = tuple(getattr(self, name))
+            values = getattr(self, name)
+            if not isinstance(values, Iterable):
+                raise PlaygroundError(
+                    f"scene.{name} is not a list",
+                    got=shown(values),
+                    allowed=f"any number of {kind.__name__} values in a list or tuple",
+                    fix=f"Write {name}=[{kind.__name__.lower()}].",
+                )
+            values = tuple(values)
             for value in values:
                 if not isinstance(value, kind):
                     raise PlaygroundError(
-                        f"scene.{name} holds something else", got=value, allowed=kind.__name__
+                        f"scene.{name} holds something else",
+                        got=shown(value),
+                        allowed=kind.__name__,
                     )
             object.__setattr__(self, name, values)
 
 
 @lru_cache(maxsize=64)
-def _source(mesh: str, tessellation: int) -> Geometry:
+def _source(mesh: str, tessellation: int, state: Stamp | None) -> Geometry:
+    """The mesh of a name; ``state`` tells a file that has changed from what it was."""
     from playground.scene import shapes
 
     if mesh in shapes.SHAPES:
@@ -96,9 +130,9 @@ def _source(mesh: str, tessellation: int) -> Geometry:
 
 
 @lru_cache(maxsize=64)
-def _with_normals(geometry: Geometry, normals: str) -> Geometry:
+def _with_normals(mesh: Mesh, normals: str) -> Mesh:
     if normals == "exact":
-        return geometry
+        return mesh
     from playground.scene.normals import flat, smooth
 
-    return Geometry((flat if normals == "flat" else smooth)(geometry.mesh), geometry.offset)
+    return flat(mesh) if normals == "flat" else smooth(mesh)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.errors import unknown_name
+from playground.errors import PlaygroundError, shown, unknown_name
 from playground.scene.camera import Camera
 from playground.scene.knob import knobs
 from playground.scene.material import Material
@@ -27,6 +27,18 @@ class Setup:
     camera: Camera = Camera()
     settings: Settings = Settings()
     name: str = "untitled"
+
+    def __post_init__(self) -> None:
+        """Check that each part is what it must be."""
+        kinds = {"scene": Scene, "camera": Camera, "settings": Settings, "name": str}
+        for part, kind in kinds.items():
+            value = getattr(self, part)
+            if not isinstance(value, kind):
+                raise PlaygroundError(
+                    f"setup.{part} is not valid",
+                    got=shown(value),
+                    allowed="text" if kind is str else f"a {kind.__name__}",
+                )
 
     def with_(self, **changes: Any) -> Setup:
         """A new setup in which the named quantities have other values.
@@ -52,7 +64,7 @@ class Setup:
         # Sort the knobs by the part that declares them.
         by_part: dict[str, dict[str, Any]] = {}
         for name, value in changes.items():
-            by_part.setdefault(owner_of(name)[0], {})[name] = value
+            by_part.setdefault(owner_of(name, _PARTS)[0], {})[name] = value
         for part in ("scene", "camera", "settings"):
             if part in by_part:
                 setup = replace(setup, **{part: replace(getattr(setup, part), **by_part[part])})
@@ -110,13 +122,16 @@ def ball_of(item: Object) -> tuple[NDArray[np.float64], float]:
     return centre, geometry.mesh.radius * stretch
 
 
-def owner_of(name: str) -> tuple[str, type]:
-    """The part of a setup whose knob ``name`` is: its name and its class."""
+def owner_of(name: str, others: Iterable[str] = ()) -> tuple[str, type]:
+    """The part of a setup whose knob ``name`` is: its name and its class.
+
+    ``others`` are names that are allowed where it is asked, besides knobs.
+    """
     for part, declared in _OWNERS.items():
         if name in knobs(declared):
             return part, declared
     every = [key for declared in _OWNERS.values() for key in knobs(declared)]
-    raise unknown_name("quantity", name, [*every, *_PARTS])
+    raise unknown_name("quantity", name, [*every, *others])
 
 
 _OWNERS: dict[str, type] = {

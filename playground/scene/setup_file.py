@@ -6,7 +6,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from playground.errors import PlaygroundError
+from playground.errors import PlaygroundError, shown, why_unread
 from playground.files import read_bytes, write_whole
 from playground.scene.setup import Setup
 from playground.scene.table import Table, from_table, to_table
@@ -34,10 +34,10 @@ def parse_setup(text: str, name: str, folder: Path | None = None) -> Setup:
     """The setup in TOML text; relative files are looked up in ``folder``."""
     try:
         table = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:  # beyond its own: endless digits, deep nesting
         raise PlaygroundError(
             "not valid TOML",
-            got=str(error),
+            got=why_unread(error),
             fix="See the setup files in assets/scenes for the form.",
         ) from None
     return from_table(table, name, folder)
@@ -54,6 +54,10 @@ def format_setup(setup: Setup, folder: Path | None = None, before: str = "") -> 
 
 def save(setup: Setup, path: str | Path) -> None:
     """Write a setup file; where ``path`` already is one, its comments stay."""
+    if not isinstance(path, (str, Path)) or not isinstance(setup, Setup):
+        raise PlaygroundError(
+            "save takes a setup and a path", got=f"{type(setup).__name__}, {shown(path)}"
+        )
     path = Path(path)
     if path.suffix.lower() != ".toml":
         raise PlaygroundError(
@@ -64,7 +68,7 @@ def save(setup: Setup, path: str | Path) -> None:
         before = read_bytes(path).decode("utf-8", "replace")
         try:
             tomllib.loads(before)
-        except tomllib.TOMLDecodeError:
+        except (ValueError, RecursionError):
             before = ""
     write_whole(path, format_setup(setup, path.parent, before).encode("utf-8"))
 

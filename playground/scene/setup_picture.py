@@ -6,7 +6,7 @@ import json
 from io import BytesIO
 from pathlib import Path
 
-from playground.errors import PlaygroundError
+from playground.errors import PlaygroundError, shown, why_unread
 from playground.files import read_bytes
 from playground.scene.setup import Setup
 from playground.scene.table import from_table, to_table
@@ -22,7 +22,13 @@ def setup_text(setup: Setup) -> str | None:
 
 
 def setup_inside(png: bytes) -> Setup | None:
-    """The setup in the bytes of a PNG, if it carries one; damage raises what Pillow raises."""
+    """The setup in the bytes of a PNG, if it carries one; a damaged PNG raises what Pillow raises.
+
+    Raises
+    ------
+    PlaygroundError
+        The picture is sound, but the setup in it is not.
+    """
     from PIL import Image
 
     with Image.open(BytesIO(png), formats=["PNG"]) as picture:
@@ -32,10 +38,23 @@ def setup_inside(png: bytes) -> Setup | None:
         return None
     try:
         return from_table(json.loads(text), "picture")
-    except (ValueError, TypeError) as error:
-        if isinstance(error, PlaygroundError):
-            raise
-        raise PlaygroundError("the setup in the picture is damaged", got=str(error)) from None
+    except PlaygroundError as error:
+        got = error.got if isinstance(error.got, str) else shown(error.got)
+        reason = f"{error.what} ({got})"
+    except (ValueError, RecursionError) as error:
+        reason = why_unread(error)
+    raise PlaygroundError(
+        "the setup inside the picture is damaged",
+        got=reason,
+        fix="Make the picture again, or give a .toml or a name instead.",
+    )
+
+
+def picture_flaw(error: Exception) -> str:
+    """What Pillow complains of, in words for the owner of the file."""
+    from PIL import UnidentifiedImageError
+
+    return "another kind of file" if isinstance(error, UnidentifiedImageError) else str(error)
 
 
 def read_setup_inside(path: Path) -> Setup:
@@ -49,11 +68,15 @@ def read_setup_inside(path: Path) -> Setup:
     data = read_bytes(path)
     try:
         setup = setup_inside(data)
-    except PlaygroundError:
+    except PlaygroundError as error:
+        raise PlaygroundError(f"{path}: {error.what}", got=error.got, fix=error.fix) from None
+    except MemoryError:
         raise
     except Exception as error:  # Pillow has many ways to complain
         raise PlaygroundError(
-            f"the picture {path} is damaged or no PNG", got=str(error), fix="Make it again."
+            f"the picture {path} is damaged or no PNG",
+            got=picture_flaw(error),
+            fix="Make it again.",
         ) from None
     if setup is None:
         raise PlaygroundError(

@@ -10,7 +10,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeVar
 
+from playground import locate
 from playground.errors import PlaygroundError, unknown_name
+from playground.files import resolved, texture_file
 from playground.scene.camera import Camera
 from playground.scene.knob import Declared, knobs
 from playground.scene.light import LIGHTS, Light
@@ -28,7 +30,8 @@ _D = TypeVar("_D", bound=Declared)
 def to_table(setup: Setup, folder: Path | None = None) -> Table:
     """The setup as nested dicts and lists; only what differs from the defaults.
 
-    Paths of files become relative to ``folder`` where they lie in it.
+    Paths of files become relative to ``folder`` where they lie in it, else absolute; a
+    texture of ours is called by its bare name.
     """
     table: Table = {"scene": _values(setup.scene)}
     table["light"] = [{"type": light.kind, **_values(light)} for light in setup.scene.lights]
@@ -46,7 +49,7 @@ def from_table(table: Table, name: str = "untitled", folder: Path | None = None)
     PlaygroundError
         An unknown key, a wrong type, a value out of range: named by its full path.
     """
-    for key in table:
+    for key in _as_table(table, "the setup"):
         if key not in SECTIONS:
             raise unknown_name("section", key, SECTIONS)
     lights = [
@@ -86,10 +89,13 @@ def _object_table(item: Object, folder: Path | None) -> Table:
 
     values = _values(item)
     values.pop("mesh", None)
-    entry: Table = {"mesh": _relative(item.mesh, folder), **values}
+    mesh = item.mesh
+    if mesh.lower().endswith(MESH_FILES):
+        mesh = _written(Path(mesh), folder)
+    entry: Table = {"mesh": mesh, **values}
     material = _values(item.material)
     if "texture" in material:
-        material["texture"] = _relative(material["texture"], folder)
+        material["texture"] = _written(texture_file(material["texture"], Path()), folder)
     if material:
         entry["material"] = material
     if transform := _values(item.transform):
@@ -102,9 +108,9 @@ def _object(table: Table, where: str, folder: Path | None) -> Object:
     material_table = dict(_as_table(table.pop("material", {}), f"{where}.material"))
     transform = _as_table(table.pop("transform", {}), f"{where}.transform")
     if isinstance(material_table.get("texture"), str) and material_table["texture"]:
-        material_table["texture"] = _absolute(material_table["texture"], folder)
+        material_table["texture"] = _absolute(texture_file(material_table["texture"], folder))
     if isinstance(table.get("mesh"), str) and table["mesh"].lower().endswith(MESH_FILES):
-        table["mesh"] = _absolute(table["mesh"], folder)
+        table["mesh"] = _absolute((folder or Path()) / table["mesh"])
     item = _declared(Object, table, where, extra=("material", "transform"))
     return replace(
         item,
@@ -116,7 +122,7 @@ def _object(table: Table, where: str, folder: Path | None) -> Object:
 def _light(table: Table, where: str) -> Light:
     table = dict(table)
     kind = table.pop("type", "directional")
-    if kind not in LIGHTS:
+    if not isinstance(kind, str) or kind not in LIGHTS:
         raise unknown_name(f"{where}.type", kind, LIGHTS)
     return _declared(LIGHTS[kind], table, where, extra=("type",))
 
@@ -151,15 +157,16 @@ def _as_list(table: Table, name: str) -> list[Any]:
     return value
 
 
-def _absolute(path: str, folder: Path | None) -> str:
-    """``path`` as the file beside ``folder``, where a relative path means that."""
-    return path if folder is None or Path(path).is_absolute() else str((folder / path).resolve())
+def _absolute(path: Path) -> str:
+    return str(resolved(path))
 
 
-def _relative(path: str, folder: Path | None) -> str:
-    if folder is None or not Path(path).is_absolute():
-        return path
-    try:
-        return Path(path).relative_to(folder.resolve()).as_posix()
-    except ValueError:
-        return path
+def _written(path: Path, folder: Path | None) -> str:
+    """What a setup file in ``folder`` calls a file; without a folder, what any place can."""
+    path = resolved(path)
+    if path.parent == resolved(locate.asset("textures")):
+        ours = resolved(texture_file(path.name, folder)) == path
+        return path.name if ours else str(path)
+    if folder is not None and path.is_relative_to(home := resolved(folder)):
+        return path.relative_to(home).as_posix()
+    return str(path)

@@ -6,6 +6,7 @@ when a file is read.
 
 from __future__ import annotations
 
+import json
 import logging
 import re
 import warnings
@@ -18,9 +19,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from playground.errors import why_unread
 from playground.scene.obj_file import Part
 
 Floats = NDArray[np.float64]
+
+
+class FlawError(ValueError):
+    """What is wrong with a file, in words."""
 
 
 def read_parts(data: bytes, path: Path) -> list[Part]:
@@ -36,12 +42,12 @@ def read_parts(data: bytes, path: Path) -> list[Part]:
     Raises
     ------
     Exception
-        Of any kind, from trimesh; a ValueError if the file has been cut short.
+        Of any kind, from trimesh; a `FlawError` where trimesh would be silent or mislead.
     """
     import trimesh
 
     suffix = path.suffix.lower()
-    _check_whole(data, suffix)
+    data = _checked(data, suffix)
     options: dict[str, Any] = {"process": False}
     if suffix == ".ply":
         # Splitting vertices at seams loses their normals, and is needed only if texture
@@ -101,23 +107,40 @@ def _placed(geometry: Any, matrix: Floats) -> Part:
     )
 
 
-def _check_whole(data: bytes, suffix: str) -> None:
-    """Raise ValueError for a file that was cut short where trimesh would pass over it."""
+def _checked(data: bytes, suffix: str) -> bytes:
+    """The data, or a `FlawError` where trimesh would be silent or name another cause."""
+    if suffix == ".stl":
+        return _checked_stl(data)
     if suffix == ".ply":
         header, _, body = data.partition(b"end_header")
         counts = re.findall(rb"^element\s+\S+\s+(\d+)", header, re.MULTILINE)
         promised = sum(int(count) for count in counts)
         lines = len([line for line in body.splitlines() if line.strip()])
         if re.search(rb"^format\s+ascii", header, re.MULTILINE) and lines < promised:
-            raise ValueError(f"{lines} lines of data where the header promises {promised}")
-    if suffix == ".stl" and data[:5].lower() == b"solid" and b"\0" not in data[:1000]:
-        facets, vertices, ends = (
-            len(re.findall(word, data, re.IGNORECASE))
-            for word in (rb"\bfacet\s+normal\b", rb"\bvertex\b", rb"\bendfacet\b")
-        )
-        if not 3 * facets == vertices == 3 * ends:
-            raise ValueError(f"{facets} facets begun, {ends} ended, {vertices} vertices")
+            raise FlawError(f"{lines} lines of data where the header promises {promised}")
+    if suffix == ".gltf":
+        try:
+            json.loads(data)
+        except (ValueError, RecursionError) as error:
+            raise FlawError(f"not valid JSON: {why_unread(error)}") from None
     if suffix == ".glb" and len(data) >= 12:
         promised = int.from_bytes(data[8:12], "little")
         if data[:4] == b"glTF" and len(data) < promised:
-            raise ValueError(f"{len(data)} bytes where the header promises {promised}")
+            raise FlawError(f"{len(data)} bytes where the header promises {promised}")
+    return data
+
+
+def _checked_stl(data: bytes) -> bytes:
+    """The bytes of a whole .stl file; those of a text as ASCII."""
+    promised = 84 + 50 * int.from_bytes(data[80:84], "little")
+    if len(data) == promised:
+        return data
+    if b"solid" not in data[:1000].lower() or b"\0" in data[:1000]:
+        raise FlawError(f"{len(data)} bytes where the header promises {promised}")
+    facets, vertices, ends = (
+        len(re.findall(word, data, re.IGNORECASE))
+        for word in (rb"\bfacet\s+normal\b", rb"\bvertex\b", rb"\bendfacet\b")
+    )
+    if not 3 * facets == vertices == 3 * ends:
+        raise FlawError(f"{facets} facets begun, {ends} ended, {vertices} vertices")
+    return data.decode("ascii", "replace").encode("ascii", "replace")

@@ -58,19 +58,44 @@ def test_render_takes_gl_where_it_is(gl, tmp_path):
     assert done.stderr.strip().endswith("gl")
 
 
-def test_render_falls_back_to_numpy_without_gl(tmp_path):
-    # A loader path that holds no libGL and no libEGL: what a bare machine looks like.
+def without_gl(*arguments):
+    """The command on a machine without a driver."""
     code = (
         "import playground.render.gl.context as c\n"
-        "def none(): raise c.NoDriverError('no GL driver was found')\n"
+        "def none(): raise c.NoDriverError('no GL driver was found', fix=c.INSTALL_DRIVER)\n"
         "c.headless = none\n"
         "from playground.cli import main\n"
-        f"raise SystemExit(main(['render', 'sphere', '-o', {str(tmp_path / 'a.png')!r}, '--size', '32x24']))"
+        f"raise SystemExit(main({list(map(str, arguments))!r}))"
     )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("render", "sphere", "-o", "OUT", "--size", "32x24"),
+        ("render", "sphere", "--sheet", "shininess", "-o", "OUT", "--size", "32x24"),
+        ("compare", "sphere", "yellow", "-o", "OUT", "--size", "32x24"),
+    ],
+    ids=["picture", "sheet", "compare"],
+)
+def test_pictures_fall_back_to_numpy_without_gl(tmp_path, arguments):
+    file = tmp_path / "a.png"
+    done = without_gl(*[file if word == "OUT" else word for word in arguments])
     assert done.returncode == 0, done.stderr
-    assert "numpy" in done.stderr
-    assert (tmp_path / "a.png").stat().st_size > 100
+    assert "  numpy" in done.stderr
+    assert "apt-get install" in done.stderr
+    assert file.stat().st_size > 100
+
+
+def test_measuring_without_gl():
+    frames = without_gl("measure", "frames")
+    assert frames.returncode == 2
+    assert "no GL driver was found" in frames.stderr and "apt-get install" in frames.stderr
+    assert frames.stdout == ""
+    first = json.loads(without_gl("measure", "first-image", "--rounds", "1", "--json").stdout)
+    assert first["machine"]["gl"] is None
+    assert "playground render sphere" in [row["command"] for row in first["first-image"]]
 
 
 def test_a_picture_renders_again(tmp_path):
@@ -94,6 +119,28 @@ def test_sheets(tmp_path, sheet):
 
     with Image.open(file) as picture:
         assert picture.width > 4 * 60
+
+
+@pytest.mark.parametrize(("sheet", "option"), [("terms", "terms"), ("shininess", "shininess")])
+def test_a_sheet_says_what_it_does_not_heed(tmp_path, sheet, option):
+    done = ok("render", "sphere", "--sheet", sheet, "-o", tmp_path / "s.png", f"--{option}",
+              {"terms": "diffuse", "shininess": "3"}[option], *SMALL)  # fmt: skip
+    assert f"--{option} has no effect" in done.stderr
+    assert (
+        "no effect"
+        not in ok("render", "sphere", "--sheet", sheet, "-o", tmp_path / "s.png", *SMALL).stderr
+    )
+
+
+def test_a_sheet_whose_sum_is_wrong_ends_with_status_1(tmp_path, monkeypatch, capsys):
+    from playground.cli import main
+    from playground.explain import sheet
+
+    monkeypatch.setattr(sheet, "_sum_error", lambda *_: 0.002)
+    file = tmp_path / "s.png"
+    assert main(["render", "sphere", "--sheet", "terms", "-o", str(file), *SMALL]) == 1
+    assert "check failed" in capsys.readouterr().err
+    assert file.exists()
 
 
 def test_compare_reports_five_numbers(tmp_path):
@@ -150,7 +197,7 @@ BAD = {
     "unknown shading": (("render", "sphere", "-o", "a.png", "--shading", "flatt"), "Did you mean 'flat'?"),
     "unknown term": (("render", "sphere", "-o", "a.png", "--terms", "diffuse,glow"), "ambient, diffuse"),
     "shininess range": (("render", "sphere", "-o", "a.png", "--shininess", "-1"), "0 to 1e+06"),
-    "shininess text": (("render", "sphere", "-o", "a.png", "--shininess", "big"), "got big"),
+    "shininess text": (("render", "sphere", "-o", "a.png", "--shininess", "big"), "got 'big'"),
     "unknown key": (("render", "sphere", "-o", "a.png", "--set", "shinines=1"), "Did you mean 'shininess'?"),
     "no value": (("render", "sphere", "-o", "a.png", "--set", "shininess"), "key=value"),
     "no such light": (("render", "sphere", "-o", "a.png", "--set", "light.3.diffuse=1,1,1"), "0 to 0"),
@@ -163,6 +210,22 @@ BAD = {
     "sizes differ": (("compare", "one.png", "two.png"), "one.png"),
     "no command": (("rendr", "x", "-o", "a.png"), "unrecognized"),
     "unknown experiment": (("measure", "warp"), "frames"),
+    "endless name": (("render", "a" * 300, "-o", "a.png"), "unknown setup"),
+    "endless output": (("render", "sphere", "-o", "a" * 300 + ".png", *SMALL), "name too long"),
+    "no digit": (("render", "sphere", "-o", "a.png", "--set", "light.².diffuse=1,0,0"), "0 to 0"),
+    "endless digits": (("render", "sphere", "-o", "a.png", "--set", "light." + "1" * 5000 + ".diffuse=1,0,0"), "0 to 0"),
+    "no digit in the size": (("render", "sphere", "-o", "a.png", "--size", "²x5"), "'²x5' is no size"),
+    "tolerance nan": (("compare", "sphere", "sphere", "--tolerance", "nan"), "'nan' is no tolerance"),
+    "tolerance below 0": (("compare", "sphere", "sphere", "--tolerance=-1"), "'-1' is no tolerance"),
+    "difference format": (("compare", "sphere", "sphere", "-o", "d.gif"), ".exr, .npy, .png"),
+    "unbuilt method of a sheet": (("render", "sphere", "-o", "a.png", "--sheet", "terms", "--method", "ray-tracing"),
+                                  "not built yet"),
+    "all objects": (("render", "sphere", "-o", "a.png", "--set", "objects=1"), "Write object.0.mesh=box"),
+    "all lights": (("render", "sphere", "-o", "a.png", "--set", "lights=1"), "Write light.0.diffuse=1,0,0"),
+    "whole camera": (("render", "sphere", "-o", "a.png", "--set", "camera=1"), "Write camera.eye=0,0,4"),
+    "name of a setup": (("render", "sphere", "-o", "a.png", "--set", "name=1"), "unknown quantity; got 'name'"),
+    "folder that takes no files": (("render", "sphere", "-o", "/proc/a.png", *SMALL), "takes no files"),
+    "program name": (("render", "sphere"), "playground render: error: the following arguments are required"),
 }  # fmt: skip
 
 
@@ -189,6 +252,18 @@ BAD_SETUPS = {
     "missing texture": ("[[object]]\nmesh='box'\nmaterial = {texture = 'no.png'}\n", "no.png"),
     "huge tessellation": ("[[object]]\nmesh='teapot'\ntessellation=4000\n", "64"),
     "eye at target": ("[camera]\neye = [0, 0, 0]\n", "same point"),
+    "list as a type": ("[[light]]\ntype = ['a']\n", "light[0].type"),
+    "table as a type": ("[[light]]\ntype = {}\n", "directional, point, spot"),
+    "nested without end": ("a = " + "[" * 100_000, "too many brackets"),
+    "endless digits": ("a = " + "1" * 5000, "too many digits"),
+    "endless hexadecimal": ("[camera]\nfov = 0x" + "f" * 6000, "camera.fov"),
+    "null in a mesh": ('[[object]]\nmesh = "a\\u0000.obj"\n', r"'a\x00.obj'"),
+    "null in a texture": ('[[object]]\nmaterial = {texture = "a\\u0000.png"}\n', r"'a\x00.png'"),
+    "text for a number": ("[camera]\nfov = '40'\n", "got '40'"),
+    "our texture in another folder": (
+        "[[object]]\nmaterial = {texture = 'gone/tiles.png'}\n",
+        "gone/tiles.png",
+    ),
 }
 
 
@@ -211,6 +286,11 @@ BAD_MODELS = {
     "short.ply": ("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n", "short.ply"),
     "short.glb": ("glTF", "short.glb"),
     "cut.png": ("\x89PNG\r\n", "cut.png"),
+    "text.png": ("hello", "another kind of file"),
+    "cut.stl": ("\x07" * 80 + "d\0\0\0" + "\x01" * 700, "784 bytes where the header promises 5084"),
+    "broken.gltf": ('{"asset":', "not valid JSON"),
+    "huge.obj": ("v 0 0 0\nv 1e38 0 0\nv 0 1 0\nf 1 2 3\n", "a coordinate of 1e+38"),
+    "endless.obj": ("v 0 0 0\nv 1e300 0 0\nv 0 1 0\nf 1 2 3\n", "a coordinate of 1e+300"),
 }
 
 

@@ -17,7 +17,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 
 import playground as pg
 from playground import locate
-from playground.render.gl import renderer as gl_renderer
+from playground.render.gl import edited
 from playground.render.gl.context import APT
 from playground.render.gl.program import Program
 from playground.render.gl.source import Source
@@ -237,7 +237,7 @@ def test_one_picture(gl, translate, monkeypatch, language, shading, name):
         used.append(Translated(context, stages))
         return used[-1]
 
-    monkeypatch.setattr(gl_renderer, "Program", program)
+    monkeypatch.setattr(edited, "Program", program)
     drawn = pg.render(setup, SIZE, "gl")
     assert len(used) == 1
     assert used[0].written == {member["name"] for _, member in used[0].members}

@@ -221,7 +221,7 @@ def test_many_samples_smooth_the_edges(gl):
 
 
 def test_moving_sliders_compiles_nothing(gl, monkeypatch):
-    from playground.render.gl import renderer as module
+    from playground.render.gl import edited as module
 
     compiled = []
     real = module.Program

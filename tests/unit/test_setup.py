@@ -202,3 +202,34 @@ def test_errors_have_four_parts():
         pg.load("teapod")
     with pytest.raises(pg.PlaygroundError, match="divides by zero"):
         pg.PointLight(attenuate=True, constant=0, linear=0, quadratic=0)
+
+
+WRONG_KINDS = {
+    "scene": lambda s: s.with_(scene=5),
+    "camera": lambda s: s.with_(camera=None),
+    "settings": lambda s: s.with_(settings="flat"),
+    "name": lambda s: s.with_(name=3),
+    "lights": lambda s: s.with_(lights=5),
+    "one light": lambda s: s.with_(lights=pg.PointLight()),
+    "objects": lambda s: s.with_(objects=[pg.Scene()]),
+    "material": lambda s: pg.Object(material=5),
+    "transform": lambda s: pg.Object(transform=5),
+    "arrays": lambda s: pg.Object(arrays=5),
+    "load": lambda s: pg.load(None),
+    "save": lambda s: pg.save(s, None),
+    "null": lambda s: pg.Object("a\0.obj"),
+    "endless": lambda s: s.with_(fov=10**5000),
+    "array for a choice": lambda s: s.with_(shading=[1, 2]),
+}
+
+
+@pytest.mark.parametrize("case", WRONG_KINDS)
+def test_a_value_of_the_wrong_kind_is_a_clear_error(case):
+    with pytest.raises(pg.PlaygroundError) as caught:
+        WRONG_KINDS[case](pg.load("sphere"))
+    assert caught.value.got is not None
+
+
+def test_a_single_light_is_told_to_stand_in_a_list():
+    with pytest.raises(pg.PlaygroundError, match=r"Write lights=\[light\]"):
+        pg.load("sphere").with_(lights=pg.PointLight())

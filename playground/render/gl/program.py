@@ -97,14 +97,22 @@ def check_lights(context: moderngl.Context, needs: Needs) -> None:
         )
 
 
-def sources_for(needs: Needs, constants: Mapping[str, Any] | None = None) -> tuple[Source, Source]:
-    """The two stages for exactly these needs; ``constants`` are uniforms that became literals."""
+def sources_for(
+    needs: Needs,
+    constants: Mapping[str, Any] | None = None,
+    overrides: Mapping[str, str] | None = None,
+) -> tuple[Source, Source]:
+    """The two stages for exactly these needs; ``constants`` are uniforms that became literals.
+
+    ``overrides`` are texts that take the place of shader files, by the files' names.
+    """
     defines: dict[str, object] = {**needs.defines, "BRIGHTEST": BRIGHTEST}
     defines["INTERPOLATION"] = INTERPOLATION[needs.shading]
     if constants and float(constants["shininess"]) in range(1, LARGEST_WHOLE + 1):
         defines["WHOLE_EXPONENT"] = int(constants["shininess"])
     vertex, fragment = (
-        assemble(stage, defines, bugs=needs.bugs) for stage in STAGES[needs.shading]
+        assemble(stage, defines, bugs=needs.bugs, overrides=overrides)
+        for stage in STAGES[needs.shading]
     )
     return bake(vertex, constants or {}), bake(fragment, constants or {})
 

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from playground.errors import PlaygroundError
+from playground.render.checks import check_out, check_setup
 from playground.render.gl import context as gl_context
 from playground.render.gl.clusters import frustum_planes, visible_runs
+from playground.render.gl.edited import Edited
 from playground.render.gl.mesh_buffers import MeshBuffers
-from playground.render.gl.program import Program, check_lights, sources_for
+from playground.render.gl.program import Program, check_lights
 from playground.render.gl.target import Target
 from playground.render.gl.uniforms import surface_uniforms, view_uniforms
 from playground.render.image import Image
 from playground.render.needs import Needs, needs
-from playground.render.renderer import check_out, check_setup
 from playground.render.surface import Surface, surfaces
 from playground.render.view import View, view_of
 from playground.scene.scene import Scene
@@ -44,6 +46,7 @@ class GLRenderer:
     def __init__(self, size: tuple[int, int], context: moderngl.Context | None = None) -> None:
         self.size = size
         self._context = context or gl_context.headless()
+        self._edited = Edited()
         self._programs: dict[Needs, Program] = {}
         self._baked: dict[tuple[Needs, int], Program] = {}
         self._meshes: dict[tuple[int, bool, bool], tuple[object, MeshBuffers]] = {}
@@ -52,6 +55,24 @@ class GLRenderer:
         self._drawn: tuple[Scene | None, Settings | None] = (None, None)
         self._surfaces: tuple[Surface, ...] = ()
         self._frames = 0
+
+    @property
+    def overrides(self) -> Mapping[str, str]:
+        """Texts that take the place of shader files.
+
+        While they do not compile, the last good ones run and `shader_error` says why.
+        """
+        return self._edited.texts
+
+    @overrides.setter
+    def overrides(self, texts: Mapping[str, str]) -> None:
+        if self._edited.change(texts):
+            self._release_programs()
+
+    @property
+    def shader_error(self) -> str:
+        """Why the overrides are not what is drawn with, with file and line; empty if they are."""
+        return self._edited.error
 
     def render(self, setup: Setup, out: NDArray[Any] | None = None) -> Image | NDArray[Any]:
         """Draw ``setup``; see `playground.render.renderer.Renderer.render`."""
@@ -141,12 +162,12 @@ class GLRenderer:
         if self._frames < STEADY:
             if wanted not in self._programs:
                 check_lights(self._context, wanted)
-                self._programs[wanted] = Program(self._context, sources_for(wanted))
+                self._programs[wanted] = self._edited.program(self._context, wanted)
             self._programs[wanted].write(values)
             return self._programs[wanted]
         key = (wanted, number)
         if key not in self._baked:
-            self._baked[key] = Program(self._context, sources_for(wanted, values))
+            self._baked[key] = self._edited.program(self._context, wanted, values)
         return self._baked[key]
 
     def _mesh(self, surface: Surface, wanted: Needs) -> MeshBuffers:
@@ -180,16 +201,20 @@ class GLRenderer:
 
     def close(self) -> None:
         """Free the GPU memory."""
-        for program in (*self._baked.values(), *self._programs.values()):
-            program.release()
+        self._release_programs()
         for _, buffers in self._meshes.values():
             buffers.release()
         for _, texture in self._textures.values():
             texture.release()
         for target in self._targets.values():
             target.release()
-        self._baked, self._programs, self._drawn = {}, {}, (None, None)
+        self._drawn = (None, None)
         self._meshes, self._textures, self._targets = {}, {}, {}
+
+    def _release_programs(self) -> None:
+        for program in (*self._baked.values(), *self._programs.values()):
+            program.release()
+        self._baked, self._programs = {}, {}
 
     def __enter__(self) -> GLRenderer:
         return self

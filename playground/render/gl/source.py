@@ -50,9 +50,19 @@ class Source:
         return "\n".join(lines) or log.strip()
 
 
+def shader_text(name: str, overrides: Mapping[str, str]) -> str:
+    """The text of a shader file, or the one that takes its place."""
+    if name in overrides:
+        return overrides[name]
+    return locate.shader(name).read_text(encoding="utf-8")
+
+
 @cache
 def _read(name: str, bugs: tuple[str, ...]) -> tuple[str, ...]:
-    text = locate.shader(name).read_text(encoding="utf-8")
+    return _lines(name, shader_text(name, {}), bugs)
+
+
+def _lines(name: str, text: str, bugs: tuple[str, ...]) -> tuple[str, ...]:
     if bugs:
         from playground.render.gl.bugs import with_bugs
 
@@ -65,10 +75,12 @@ def assemble(
     defines: Mapping[str, object] | None = None,
     tail: str = "",
     bugs: tuple[str, ...] = (),
+    overrides: Mapping[str, str] | None = None,
 ) -> Source:
     """Expand the shader file ``name`` with ``defines`` on top and ``tail`` below.
 
-    ``bugs`` are classic mistakes to make on the way, see `playground.render.gl.bugs`.
+    ``bugs`` are classic mistakes to make on the way, see `playground.render.gl.bugs`;
+    ``overrides`` are texts that take the place of files, by the files' names.
 
     Raises
     ------
@@ -80,7 +92,7 @@ def assemble(
     for key, value in (defines or {}).items():
         lines.append(f"#define {key} {int(value) if isinstance(value, bool) else value}")
         origin.append(("(defines)", len(lines)))
-    _expand(name, lines, origin, (), bugs)
+    _expand(name, lines, origin, (), bugs, overrides or {})
     for number, line in enumerate(tail.splitlines(), 1):
         lines.append(line)
         origin.append(("(tail)", number))
@@ -93,13 +105,16 @@ def _expand(
     origin: list[tuple[str, int]],
     above: tuple[str, ...],
     bugs: tuple[str, ...],
+    overrides: Mapping[str, str],
 ) -> None:
+    text = _lines(name, overrides[name], bugs) if name in overrides else _read(name, bugs)
+
     def emit(text: str, number: int) -> None:
         lines.append(text)
         origin.append((name, number))
 
     emit(f"// from: {name}", 1)
-    for number, line in enumerate(_read(name, bugs), 1):
+    for number, line in enumerate(text, 1):
         found = _INCLUDE.match(line)
         if not found:
             emit(line, number)
@@ -112,7 +127,7 @@ def _expand(
         guard = "INCLUDED_" + re.sub(r"\W", "_", wanted)
         emit(f"#ifndef {guard}", number)
         emit(f"#define {guard}", number)
-        _expand(wanted, lines, origin, (*above, name), bugs)
+        _expand(wanted, lines, origin, (*above, name), bugs, overrides)
         emit("#endif", number)
         emit(f"// from: {name}", number)
 
