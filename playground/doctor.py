@@ -18,6 +18,7 @@ PACKAGES = (
     "pyrr",
     "trimesh",
     "pillow",
+    "platformdirs",
 )
 
 

@@ -16,8 +16,10 @@ if TYPE_CHECKING:
 PICTURE_SIZE = (1280, 720)
 
 
-def open_window(setup: Setup) -> int:
+def open_window(setup: Setup, again: bool = False) -> int:
     """Open the window on ``setup`` and stay until it is closed; returns the exit status.
+
+    With ``again``, on the setup that the last window was closed on, if there was one.
 
     Without a display, or without the libraries of a window, says so on stderr and saves
     the same view as ``<name of the setup>.png`` in the current folder.
@@ -35,7 +37,7 @@ def open_window(setup: Setup) -> int:
         from playground.gui.app import NoWindowError, run
 
         try:
-            run(setup)
+            run(setup, again)
             return 0
         except NoWindowError as error:
             reason = str(error)

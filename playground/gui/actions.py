@@ -18,6 +18,7 @@ from playground.scene.settings import TERMS, Settings
 from playground.scene.setup import Setup
 from playground.scene.setup_file import save
 
+RECENT = 10  # files that are remembered
 LARGER = 1.2  # one step of the text size
 
 
@@ -30,17 +31,43 @@ def open_setup(state: State, name: str | Path) -> State:
         return state.fail(error)
     path = Path(name)
     file = path if path.suffix.lower() == ".toml" else None
-    return state.opened(setup, file).say(setup.scene.title or f"opened {name}")
+    state = replace(state.opened(setup, file), source=str(name))
+    if path.suffix:
+        state = with_recent(state, path)
+    return state.say(setup.scene.title or f"opened {name}")
+
+
+def with_recent(state: State, path: Path) -> State:
+    """The state with a file at the head of the recent ones."""
+    name = str(path.absolute())
+    others = tuple(other for other in state.recent if other != name)
+    return replace(state, recent=(name, *others)[:RECENT])
 
 
 def save_setup(state: State) -> State:
     """Save to the file that was opened, else to a new one in the current folder."""
-    path = state.file or fresh(Path(f"{state.setup.name}.toml"))
+    return save_as(state, state.file or fresh(Path(f"{state.setup.name}.toml")))
+
+
+def save_as(state: State, path: Path) -> State:
+    """Save to a file, which further saving then goes to; the sheet goes away."""
     try:
         save(state.setup, path)
     except PlaygroundError as error:
         return state.fail(error)
-    return replace(state, file=path).say(f"saved {path}")
+    state = replace(state, file=path, source=str(path), sheet="", typed="")
+    return with_recent(state, path).say(f"saved {path}")
+
+
+def name_to_save(state: State) -> State:
+    """Ask for a name."""
+    typed = str(state.file or fresh(Path(f"{state.setup.name}.toml")))
+    return replace(show_sheet(state, "save"), typed=typed)
+
+
+def copy_command(state: State) -> State:
+    """Ask for the command that draws this setup; the window puts it on the clipboard."""
+    return replace(state, wish="command")
 
 
 def fresh(path: Path) -> Path:
@@ -129,6 +156,18 @@ def next_layout(state: State) -> State:
 def toggle_panel(state: State) -> State:
     """Show or hide the controls."""
     return replace(state, panel=not state.panel)
+
+
+def toggle_shaders(state: State) -> State:
+    """Show or hide the shaders below the picture."""
+    return replace(state, shaders=not state.shaders)
+
+
+def toggle_overlay(state: State, name: str) -> State:
+    """Switch something that lies over the picture on or off."""
+    on = not getattr(state.overlays, name)
+    word = f"{name.replace('_', ' ')} {'on' if on else 'off'}"
+    return replace(state, overlays=replace(state.overlays, **{name: on})).say(word)
 
 
 def toggle_theme(state: State) -> State:

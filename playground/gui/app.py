@@ -15,17 +15,20 @@ from numpy.typing import NDArray
 
 from playground.errors import PlaygroundError
 from playground.files import write_whole
-from playground.gui import frame, theme
+from playground.gui import frame, memory, theme
 from playground.gui.actions import fresh, open_setup
+from playground.gui.command_line import copied
 from playground.gui.comparison import Box
+from playground.gui.driver import software
+from playground.gui.measuring import Measuring
 from playground.gui.run_loop import loop
 from playground.gui.scene_view import Slots
+from playground.gui.shader_edit import Watch, reloaded
 from playground.gui.state import State, shown, start
 from playground.gui.ui_loop import UiLoop
 from playground.render.image_file import png_bytes
 from playground.scene.setup import Setup
 
-SOFTWARE = ("llvmpipe", "softpipe", "swiftshader", "software")  # drivers without a GPU
 SAMPLES = 4  # per pixel, on a GPU
 SMOOTH = 0.9  # of the old value stays in the running mean of the time per frame
 
@@ -45,22 +48,24 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
     clear_color = None
     log_level = 40  # errors only
     test_engine = False
+    wanted_size: tuple[int, int] | None = None  # that of the last window
 
     def __init__(self, **more: Any) -> None:
         super().__init__(**more)
         self.wnd.exit_key = None  # Esc closes sheets, never the window
         self.ui = UiLoop(self.wnd, self.test_engine)
         self.slots = Slots(self.ctx)
+        self.measuring = Measuring(self.ctx)
         self.hand = frame.Hand()
         self.state = State()
         self.dropped: list[str] = []
+        self.watch = Watch()
         self._told = ""
         self.milliseconds = 0.0  # of Python and GL per frame, a running mean
 
     def show(self, setup: Setup) -> None:
         """Begin with ``setup``, with smooth edges where a GPU makes them cheap."""
-        software = any(name in self.ctx.info["GL_RENDERER"].lower() for name in SOFTWARE)
-        self.state = start(setup, 1 if software else SAMPLES)
+        self.state = start(setup, 1 if software(self.ctx) else SAMPLES)
 
     def on_render(self, time: float, frame_time: float) -> None:
         """Draw one frame and do what the state wishes."""
@@ -69,8 +74,11 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
         while self.dropped:
             opened = open_setup(state, self.dropped.pop(0))
             state = frame.remembered(state, opened, False)
+        files = self.watch.changed()
+        state = reloaded(state, files) if files else state
         self.ui.begin(frame_time)
         state = self._drawn(state, frame_time)
+        state = self.measuring.advance(state, self.slots.milliseconds, self.milliseconds)
         self._present(state)
         self.state = self._granted(state)
         title = f"{self.state.setup.name} - {self.title}"
@@ -87,6 +95,7 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
 
     def release(self) -> None:
         """Free everything while the context is still there."""
+        self.measuring.close()
         self.slots.close()
         self.ui.close()
 
@@ -124,6 +133,11 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
         if wish == "quit":
             self.wnd.close()
             return state
+        if wish == "command":
+            state, words = copied(state)
+            if words:
+                imgui.set_clipboard_text(words)
+            return state
         path = fresh(Path(f"{state.setup.name}.png"))
         try:
             write_whole(path, png_bytes(self.pixels(self.view_box()), shown(state)))
@@ -151,8 +165,10 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
         return np.ascontiguousarray(np.frombuffer(data, np.uint8).reshape(h, w, 3)[::-1])
 
 
-def run(setup: Setup) -> None:
+def run(setup: Setup, again: bool = False) -> None:
     """Open the window on ``setup`` and stay until it is closed.
+
+    With ``again``, the setup that the last window was closed on takes its place.
 
     Raises
     ------
@@ -165,9 +181,13 @@ def run(setup: Setup) -> None:
         )
     except Exception as error:  # each layer below raises what it likes
         raise NoWindowError(f"the display refuses one: {error}") from error
-    window.show(setup)
+    kept = memory.recall()
+    window.show(kept.setup if again and kept.setup else setup)
+    window.state = memory.recalled(window.state, kept)
+    window.wanted_size = kept.size
     try:
         loop(window)
+        memory.keep(window.state, window.wnd.size)
     finally:
         window.release()
         window.wnd.destroy()

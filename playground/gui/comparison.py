@@ -8,9 +8,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
+from playground.gui.guess import played
 from playground.gui.orbit import widened
-from playground.gui.state import State, shown
-from playground.scene.settings import TERMS, Settings
+from playground.gui.state import REFERENCE, State, shown
+from playground.scene.settings import TERMS, Settings, Shading
 from playground.scene.setup import Setup
 
 GAP = 4  # pixels between two pictures
@@ -28,11 +29,12 @@ class Picture:
     caption: str
     box: Box
     part: tuple[float, float] = (0.0, 1.0)
+    reference: bool = False  # by NumPy in float64, not by GL
 
 
 def pictures(state: State, width: int, height: int) -> tuple[Picture, ...]:
     """The pictures of the layout that ``state`` asks for, in a space of the given size."""
-    setup = shown(state)
+    setup = played(state, shown(state))
     if state.layout == "terms":
         return _term_by_term(setup, width, height)
     whole = (0, 0, width, height)
@@ -45,6 +47,8 @@ def pictures(state: State, width: int, height: int) -> tuple[Picture, ...]:
             _picture(setup, mode, whole, (0.0, state.wipe)),
             _picture(other, state.other, whole, (state.wipe, 1.0)),
         )
+    if state.layout == "difference":
+        return _picture(setup, mode, whole), _picture(other, state.other, whole)
     half = max((width - GAP) // 2, 1)
     right = (half + GAP, 0, max(width - half - GAP, 1), height)
     return (
@@ -96,12 +100,14 @@ def _picture(
     camera = widened(setup.camera, max(box[2], 1) / max(box[3], 1))
     if camera is not setup.camera:
         setup = replace(setup, camera=camera)
-    return Picture(setup, caption, box, part)
+    return Picture(setup, caption, box, part, caption == REFERENCE)
 
 
 # The same settings give the same object again: renderers notice change by identity.
 @lru_cache(maxsize=64)
 def _shaded(settings: Settings, shading: str) -> Settings:
+    if shading == REFERENCE:  # makes no mistakes, and has no shading of its own
+        return replace(settings, shading=Shading.PER_FRAGMENT.value, bugs=())
     return replace(settings, shading=shading)
 
 

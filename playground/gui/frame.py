@@ -6,10 +6,11 @@ from dataclasses import replace
 
 from imgui_bundle import imgui
 
-from playground.gui import menu, sheets, status, theme, view
+from playground.gui import guess, menu, scope_path, sheets, status, theme, view
 from playground.gui.comparison import Box
 from playground.gui.navigation import walked
-from playground.gui.panels import OPEN_AT_FIRST, PANELS
+from playground.gui.panels import OPEN_AT_FIRST, PANELS, shaders
+from playground.gui.presentation import backdrop, presenting, shows
 from playground.gui.scene_view import Slots
 from playground.gui.shortcuts import pressed
 from playground.gui.state import State
@@ -38,7 +39,7 @@ class Hand:
     def holds(self, dragging: bool, seconds: float) -> bool:
         """Whether a drag, a repeated key or a run of the wheel is under way."""
         io = imgui.get_io()
-        turning = bool(io.mouse_wheel) and not imgui.is_any_item_active()
+        turning = bool(io.mouse_wheel or io.mouse_wheel_h) and not imgui.is_any_item_active()
         self.wheel_seconds = 0.0 if turning else self.wheel_seconds + seconds
         return dragging or imgui.is_any_item_active() or self.wheel_seconds < WHEEL_PAUSE
 
@@ -63,22 +64,30 @@ def draw(
     """
     before, scale = state, state.text_size * density
     theme.apply(state.theme, state.text_size, density)
+    theme.lay_paper(backdrop(state))
     ui = Ui(scale)
-    state = walked(state, min(seconds, 0.1))
+    state = guess.unpeeked(walked(state, min(seconds, 0.1)))
+    state = scope_path.walked(state, min(seconds, 0.1))
     state = pressed(state)
-    state = menu.draw(state)
+    state = state if presenting(state) else menu.draw(state)
     view_box, panel_box, foot_box = areas(state, scale)
+    ui.view = pixels(view_box)
     if state.panel:
         _place(panel_box)
         state = _controls(state, ui)
     _place(view_box)
     state, dragging = _view(state, before, slots, scale)
+    if state.shaders:
+        _place(below(view_box, panel_box))
+        state = _shaders(state, ui)
     if ui.refused:
         state = state.fail(ui.refused[-1])
-    _place(foot_box)
-    _foot(state, numbers)
+    if foot_box[3]:
+        _place(foot_box)
+        _foot(state, numbers)
     state = sheets.draw(state)
-    return remembered(before, state, hand.holds(dragging or state.playing, seconds))
+    moving = dragging or state.playing or state.scope.playing
+    return remembered(before, state, hand.holds(moving, seconds))
 
 
 def areas(state: State, scale: float) -> tuple[Box, Box, Box]:
@@ -87,12 +96,26 @@ def areas(state: State, scale: float) -> tuple[Box, Box, Box]:
     x, y = round(space.work_pos.x), round(space.work_pos.y)
     width, height = round(space.work_size.x), round(space.work_size.y)
     foot = round(status.ROWS * imgui.get_text_line_height_with_spacing() + 8 * scale)
+    foot = 0 if presenting(state) and not state.failed else foot
     wide = round(min(PANEL_WIDTH * scale, WIDEST_PANEL * width)) if state.panel else 0
+    low = shaders.height(state, height - foot)
     return (
-        (x, y, width - wide, height - foot),
+        (x, y, width - wide, height - foot - low),
         (x + width - wide, y, wide, height - foot),
         (x, y + height - foot, width, foot),
     )
+
+
+def below(view: Box, panel: Box) -> Box:
+    """What is left for the shaders under the view, in ImGui's units."""
+    x, y, width, height = view
+    return x, y + height, width, panel[1] + panel[3] - y - height
+
+
+def pixels(box: Box) -> tuple[int, int]:
+    """Width and height of a box in pixels of the framebuffer."""
+    dense = imgui.get_io().display_framebuffer_scale
+    return max(int(box[2] * dense.x), 1), max(int(box[3] * dense.y), 1)
 
 
 def remembered(before: State, after: State, held: bool) -> State:
@@ -113,14 +136,19 @@ def _controls(state: State, ui: Ui) -> State:
     """The panels, one below the other."""
     imgui.begin("Controls", None, FIXED)
     for name, panel in PANELS.items():
+        if not shows(state, name):
+            continue
         imgui.set_next_item_open(name in OPEN_AT_FIRST, imgui.Cond_.once)
+        if name == state.unfold:
+            imgui.set_next_item_open(True)
+            imgui.set_scroll_here_y(0.0)
         if imgui.collapsing_header(name):
             imgui.push_id(name)
             state = panel(state, ui)
             imgui.pop_id()
             imgui.spacing()
     imgui.end()
-    return state
+    return replace(state, unfold="") if state.unfold else state
 
 
 def _view(state: State, good: State, slots: Slots, scale: float) -> tuple[State, bool]:
@@ -131,6 +159,13 @@ def _view(state: State, good: State, slots: Slots, scale: float) -> tuple[State,
     imgui.end()
     imgui.pop_style_var(2)
     return state, dragging
+
+
+def _shaders(state: State, ui: Ui) -> State:
+    imgui.begin("Shaders", None, FIXED | imgui.WindowFlags_.no_scrollbar.value)
+    state = shaders.draw(state, ui)
+    imgui.end()
+    return state
 
 
 def _foot(state: State, numbers: str) -> None:

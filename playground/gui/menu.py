@@ -23,6 +23,8 @@ def draw(state: State) -> State:
             imgui.end_menu()
         if imgui.begin_menu(menu):
             for action in ACTIONS:
+                if menu == "File" and action.name == "Save setup":
+                    state = _recent(state)
                 if action.menu == menu and imgui.menu_item_simple(action.name, action.keys):
                     state = action.do(state)
             imgui.end_menu()
@@ -32,6 +34,15 @@ def draw(state: State) -> State:
         imgui.set_cursor_pos_x(right)
         imgui.text_disabled(name)
     imgui.end_main_menu_bar()
+    return state
+
+
+def _recent(state: State) -> State:
+    if imgui.begin_menu("Open recent", bool(state.recent)):
+        for name in state.recent:
+            if imgui.menu_item_simple(name):
+                state = open_setup(state, name)
+        imgui.end_menu()
     return state
 
 

@@ -7,11 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 from imgui_bundle import imgui  # before glfw, see app.py
 
+from playground.gui.measuring import under_way
+
 if TYPE_CHECKING:
     from playground.gui.app import LightingWindow
 
 AWAKE = 0.7  # seconds of drawing after the last event: tooltips appear, menus settle
 SHARE = 0.85  # of the screen that the window takes, if that is enough
+GLANCE = 0.05  # seconds between two looks at whether the reference picture is ready
 NAP = 0.5  # seconds between two looks around while asleep: the caret of a text field blinks
 
 
@@ -33,7 +36,8 @@ def loop(window: LightingWindow) -> None:
 
 def busy(window: LightingWindow) -> bool:
     """Whether the next frame will differ: an event has arrived, or the camera walks."""
-    return window.state.playing or bool(window.dropped) or _events_waiting()
+    moving = window.state.playing or under_way(window.state)
+    return moving or bool(window.dropped) or _events_waiting()
 
 
 def _events_waiting() -> bool:
@@ -44,12 +48,15 @@ def _slept(window: LightingWindow) -> bool:
     """Wait for the next event; false where only time has passed and a caret must blink."""
     import glfw  # type: ignore[import-not-found, unused-ignore]
 
+    if window.slots.reference.computing:
+        glfw.wait_events_timeout(GLANCE)
+        return False
     while not window.wnd.is_closing:
         began = perf_counter()
         glfw.wait_events_timeout(NAP)
         if perf_counter() - began < 0.98 * NAP:
             return True
-        if window.ui.io.want_text_input:
+        if window.ui.io.want_text_input or window.watch.due():
             return False
     return True
 
@@ -62,6 +69,8 @@ def _fit(window: Any) -> None:
     least = window.window_size
     width = min(max(round(SHARE * wide), least[0]), wide)
     height = min(max(round(SHARE * high), least[1]), high)
+    if window.wanted_size:
+        width, height = min(window.wanted_size[0], wide), min(window.wanted_size[1], high)
     glfw.set_window_size(window.wnd._window, width, height)
     glfw.set_window_pos(window.wnd._window, x + (wide - width) // 2, y + (high - height) // 2)
     glfw.poll_events()

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import moderngl
 
+from playground.errors import PlaygroundError
+from playground.gui.difference import DifferencePicture
+from playground.gui.overlay_lines import NO_MARKS, LineArt, Marks
+from playground.gui.reference import ReferencePicture
 from playground.gui.texture_target import TextureTarget
+from playground.render.gl.program import ShaderError
 from playground.render.gl.renderer import GLRenderer
 from playground.scene.setup import Setup
 
@@ -22,13 +28,17 @@ class Slot:
         self._renderer = GLRenderer((1, 1), context)
         self._target: TextureTarget | None = None
         self._drawn: Setup | None = None
+        self._marks = NO_MARKS
+        self._lines: LineArt | None = None
         self._query = context.query(time=True)
         self._waiting = False
         self.draws = 0
         self._milliseconds = 0.0
 
-    def texture(self, setup: Setup, size: tuple[int, int]) -> moderngl.Texture:
-        """The texture with the picture of ``setup``.
+    def texture(
+        self, setup: Setup, size: tuple[int, int], marks: Marks = NO_MARKS
+    ) -> moderngl.Texture:
+        """The texture with the picture of ``setup``, and ``marks`` drawn over it.
 
         Raises
         ------
@@ -36,11 +46,24 @@ class Slot:
             What the renderer refuses; the old picture is lost.
         """
         target = self._sized(size, setup.settings.samples)
+        if marks != self._marks:
+            self._drawn, self._marks = None, marks
         if self._drawn is not setup and self._drawn != setup:
             self._drawn = None
             self._draw(setup, target)
             self._drawn = setup
         return target.texture
+
+    def override(self, texts: Mapping[str, str]) -> None:
+        """Draw with ``texts`` in place of shader files from now on."""
+        if texts != self._renderer.overrides:
+            self._renderer.overrides = texts
+            self._drawn = None
+
+    @property
+    def shader_error(self) -> str:
+        """Why the texts are not what the picture was drawn with; empty if they are."""
+        return self._renderer.shader_error
 
     @property
     def milliseconds(self) -> float:
@@ -52,10 +75,25 @@ class Slot:
     def _draw(self, setup: Setup, target: TextureTarget) -> None:
         self._renderer.size = target.size
         with self._query:
-            self._renderer.draw(setup, target)
+            self._draw_edited(setup, target)
+            if self._marks:
+                self._lines = self._lines or LineArt(self._context)
+                self._lines.draw(setup, self._marks, target.size)
             target.resolve()
         self._waiting = True
         self.draws += 1
+
+    def _draw_edited(self, setup: Setup, target: TextureTarget) -> None:
+        """Draw; shaders of the user that compile, but cannot be fed, give way to the last good."""
+        try:
+            self._renderer.draw(setup, target)
+        except (PlaygroundError, ShaderError):
+            raise
+        except Exception as error:  # a uniform or attribute of another type than ours
+            if not self._renderer.overrides or self._renderer.shader_error:
+                raise
+            self._renderer.refuse_overrides(f"this compiles, but cannot be drawn with: {error}")
+            self._renderer.draw(setup, target)
 
     def _sized(self, size: tuple[int, int], samples: int) -> TextureTarget:
         wanted = (size, min(samples, self._context.max_samples) if samples > 1 else 1)
@@ -70,6 +108,8 @@ class Slot:
     def release(self) -> None:
         """Free the GPU memory."""
         self._renderer.close()
+        if self._lines is not None:
+            self._lines.release()
         if self._target is not None:
             self._target.release()
 
@@ -80,16 +120,32 @@ class Slots:
     def __init__(self, context: moderngl.Context) -> None:
         self._context = context
         self._slots: list[Slot] = []
+        self.reference = ReferencePicture(context)
+        self.difference = DifferencePicture(context)
+        self._texts: Mapping[str, str] = {}
         self._used = 0
 
     def __getitem__(self, index: int) -> Slot:
         while index >= len(self._slots):
             self._slots.append(Slot(self._context))
+            self._slots[-1].override(self._texts)
         return self._slots[index]
 
     def use(self, count: int) -> None:
         """Say how many pictures the present layout has."""
         self._used = count
+
+    def override(self, texts: Mapping[str, str]) -> None:
+        """Draw every picture with ``texts`` in place of shader files."""
+        self._texts = texts
+        for slot in self._slots:
+            slot.override(texts)
+
+    @property
+    def shader_error(self) -> str:
+        """Why the texts are not what the pictures in use were drawn with, or empty."""
+        errors = (slot.shader_error for slot in self._slots[: self._used])
+        return next(filter(None, errors), "")
 
     @property
     def milliseconds(self) -> float:
@@ -108,6 +164,9 @@ class Slots:
 
     def close(self) -> None:
         """Free the GPU memory."""
+        self.reference.rest()
+        self.reference.release()
+        self.difference.release()
         for slot in self._slots:
             slot.release()
         self._slots.clear()

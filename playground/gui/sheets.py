@@ -7,21 +7,29 @@ from pathlib import Path
 
 from imgui_bundle import imgui
 
+from playground.gui import save_sheet
 from playground.gui.actions import open_setup
 from playground.gui.shortcuts import ACTIONS, MENUS
 from playground.gui.state import State
 from playground.scene.scene import MESH_FILES
 
 MOUSE = (
+    ("why this colour?", "click, or Shift and move"),
+    ("forget that", "right click"),
     ("orbit", "drag"),
-    ("pan", "right or Shift drag"),
+    ("pan", "right or Shift drag, Shift wheel"),
     ("nearer, farther", "wheel"),
     ("type a value", "Ctrl-click"),
     ("default value", "right-click"),
     ("open a file", "drop it here"),
 )
+COLUMNS = 3  # of the sheet of keys, where there is room
 KINDS = (".toml", ".png", *MESH_FILES)
-TITLES = {"shortcuts": "Keys and mouse", "open": "Open a setup, a model or a picture"}
+TITLES = {
+    "shortcuts": "Keys and mouse",
+    "open": "Open a setup, a model or a picture",
+    "save": "Save the setup as",
+}
 
 
 def draw(state: State) -> State:
@@ -31,33 +39,36 @@ def draw(state: State) -> State:
     size, middle = imgui.get_font_size(), imgui.get_main_viewport().get_center()
     imgui.set_next_window_pos(middle, imgui.Cond_.always, imgui.ImVec2(0.5, 0.5))
     view = imgui.get_main_viewport().work_size
-    wide = (54 if state.sheet == "shortcuts" else 42) * size
-    high = 40 * size if state.sheet == "shortcuts" else 30 * size
+    wide = (84 if state.sheet == "shortcuts" else 42) * size
+    high = {"shortcuts": 40, "save": 7}.get(state.sheet, 30) * size
     room = imgui.ImVec2(min(wide, view.x - 2 * size), min(high, view.y - 2 * size))
     imgui.set_next_window_size(room)
     flags = imgui.WindowFlags_.no_resize.value | imgui.WindowFlags_.no_collapse.value
     unfolded, stays = imgui.begin(f"{TITLES[state.sheet]}###sheet", True, flags)
     if unfolded:
-        state = _keys(state) if state.sheet == "shortcuts" else _open(state)
+        state = SHEETS[state.sheet](state)
     imgui.end()
     escape = imgui.is_key_pressed(imgui.Key.escape)
     return replace(state, sheet="") if escape or not stays else state
 
 
 def _keys(state: State) -> State:
-    """Two columns of tables, one table per menu."""
-    imgui.columns(2, "keys", False)
+    """Columns of tables, one table per menu."""
+    count = COLUMNS if imgui.get_window_width() > 65 * imgui.get_font_size() else 2
+    imgui.columns(count, "keys", False)
     groups = [(menu, [(a.name, a.keys) for a in ACTIONS if a.menu == menu]) for menu in MENUS]
     groups.append(("Mouse", list(MOUSE)))
-    total, so_far = sum(len(lines) + 2 for _, lines in groups), 0
+    share = sum(len(lines) + 2 for _, lines in groups) / count
+    so_far = column = 0
     for title, lines in groups:
-        if so_far < total / 2 <= so_far + len(lines) + 1:
+        if so_far + (len(lines) + 2) / 2 > share * (column + 1) and column + 1 < count:
             imgui.next_column()
+            column += 1
         so_far += len(lines) + 2
         imgui.text_disabled(title)
         for name, keys in lines:
             imgui.text(name)
-            imgui.same_line(17 * imgui.get_font_size())
+            imgui.same_line(14.5 * imgui.get_font_size())
             imgui.text_unformatted(keys)
         imgui.spacing()
     imgui.columns(1)
@@ -112,3 +123,6 @@ def entries(folder: Path) -> list[Path]:
         folders, files = [], []
     above = [folder.parent] if folder.parent != folder else []
     return [*above, *folders, *files]
+
+
+SHEETS = {"shortcuts": _keys, "open": _open, "save": save_sheet.draw}

@@ -11,11 +11,13 @@ from functools import partial
 
 from imgui_bundle import imgui
 
-from playground.gui import actions
-from playground.gui.navigation import NOTCH, STEP, closer, turned
+from playground.gui import actions, presentation
+from playground.gui.navigation import NOTCH, SHIFT_STEP, STEP, closer, shifted, turned
+from playground.gui.pixel_pick import forget
 from playground.gui.state import State
 from playground.scene.settings import TERMS, Shading
 
+FUNCTION_KEYS = range(imgui.Key.f1.value, imgui.Key.f12.value + 1)  # nobody types with them
 CTRL, SHIFT = imgui.Key.mod_ctrl.value, imgui.Key.mod_shift.value
 
 
@@ -39,16 +41,14 @@ def _key(name: str, modifiers: int = 0) -> int:
     return int(getattr(imgui.Key, name).value) | modifiers
 
 
-def _term(term: str) -> Action:
-    letter = term[0]
-    do = partial(actions.toggle_term, term=term)
-    return Action("Shading", f"{term} on or off", letter.upper(), (_key(letter),), do)
+def _term(number: int, term: str) -> Action:
+    letter, do = term[0], partial(actions.toggle_term, term=term)
+    keys = (_key(f"_{number}"), _key(f"keypad{number}"), _key(letter))
+    return Action("Shading", f"{term} on or off", f"{number} or {letter.upper()}", keys, do)
 
 
-def _mode(number: int, mode: str) -> Action:
-    do = partial(actions.shade, mode=mode)
-    keys = (_key(f"_{number}"), _key(f"keypad{number}"))
-    return Action("Shading", mode, str(number), keys, do)
+def _mode(mode: str, keys: str, *chords: int) -> Action:
+    return Action("Shading", mode, keys, chords, partial(actions.shade, mode=mode))
 
 
 def _walk(name: str, arrow: str, yaw: float, pitch: float) -> Action:
@@ -56,12 +56,31 @@ def _walk(name: str, arrow: str, yaw: float, pitch: float) -> Action:
     return Action("Camera", name, arrow.title(), (_key(f"{arrow}_arrow"),), do, repeats=True)
 
 
+def _overlay(name: str, letter: str, knob: str) -> Action:
+    do = partial(actions.toggle_overlay, name=knob)
+    return Action("Picture", name, letter.upper(), (_key(letter),), do)
+
+
+def _shift(name: str, arrow: str, right: float, up: float) -> Action:
+    do = partial(shifted, right=right, up=up)
+    chord = _key(f"{arrow}_arrow", SHIFT)
+    return Action("Camera", name, f"Shift+{arrow.title()}", (chord,), do, repeats=True)
+
+
 ACTIONS: tuple[Action, ...] = (
     Action(
         "File", "Open...", "Ctrl+O", (_key("o", CTRL),), partial(actions.show_sheet, sheet="open")
     ),
     Action("File", "Save setup", "Ctrl+S", (_key("s", CTRL),), actions.save_setup),
-    Action("File", "Save picture", "P", (_key("p"),), actions.take_picture),
+    Action("File", "Save as...", "Ctrl+Shift+S", (_key("s", CTRL | SHIFT),), actions.name_to_save),
+    Action("File", "Save picture", "F12", (_key("f12"),), actions.take_picture),
+    Action(
+        "File",
+        "Copy as command line",
+        "Ctrl+Shift+C",
+        (_key("c", CTRL | SHIFT),),
+        actions.copy_command,
+    ),
     Action("File", "Quit", "Ctrl+Q", (_key("q", CTRL),), actions.quit_window),
     Action("Edit", "Undo", "Ctrl+Z", (_key("z", CTRL),), actions.undo, repeats=True),
     Action(
@@ -73,32 +92,59 @@ ACTIONS: tuple[Action, ...] = (
         repeats=True,
     ),
     Action("Edit", "Reset to the loaded setup", "R", (_key("r"),), actions.reset),
-    *(_mode(i + 1, mode.value) for i, mode in enumerate(Shading)),
-    *(_term(term) for term in TERMS),
+    _mode(Shading.FLAT.value, "Shift+F", _key("f", SHIFT)),
+    _mode(Shading.PER_VERTEX.value, "V or G", _key("v"), _key("g")),
+    _mode(Shading.PER_FRAGMENT.value, "P", _key("p")),
+    *(_term(i, term) for i, term in enumerate(TERMS, 1)),
     Action("Camera", "Frame the objects", "F", (_key("f"),), actions.frame_objects),
     Action("Camera", "Walk around, or stop", "Space", (_key("space"),), actions.play),
     _walk("Left", "left", -STEP, 0.0),
     _walk("Right", "right", STEP, 0.0),
     _walk("Up", "up", 0.0, STEP),
     _walk("Down", "down", 0.0, -STEP),
+    _shift("Move left", "left", -SHIFT_STEP, 0.0),
+    _shift("Move right", "right", SHIFT_STEP, 0.0),
+    _shift("Move up", "up", 0.0, SHIFT_STEP),
+    _shift("Move down", "down", 0.0, -SHIFT_STEP),
     Action(
         "Camera",
         "Nearer",
-        "Page Up",
-        (_key("page_up"),),
+        "Page Up or +",
+        (_key("page_up"), _key("equal"), _key("equal", SHIFT), _key("keypad_add")),
         partial(closer, factor=NOTCH),
         repeats=True,
     ),
     Action(
         "Camera",
         "Farther",
-        "Page Down",
-        (_key("page_down"),),
+        "Page Down or -",
+        (_key("page_down"), _key("minus"), _key("keypad_subtract")),
         partial(closer, factor=1.0 / NOTCH),
         repeats=True,
     ),
-    Action("Window", "Compare: next layout", "C", (_key("c"),), actions.next_layout),
+    Action(
+        "Window",
+        "Compare: next layout",
+        "Tab or C",
+        (_key("tab"), _key("c")),
+        actions.next_layout,
+    ),
+    Action(
+        "Window",
+        "Presentation: black, white",
+        "F5",
+        (_key("f5"),),
+        presentation.next_presentation,
+    ),
+    Action("Window", "End the presentation", "Esc", (_key("escape"),), presentation.ended),
+    Action("Window", "Beginner or full layout", "B", (_key("b"),), presentation.next_level),
     Action("Window", "Show or hide the controls", "H", (_key("h"),), actions.toggle_panel),
+    Action("Window", "Shaders, to read and edit", "F4", (_key("f4"),), actions.toggle_shaders),
+    _overlay("Wireframe", "w", "wireframe"),
+    _overlay("Normals", "n", "vertex_normals"),
+    _overlay("Axes", "x", "axes"),
+    _overlay("Handles of the lights", "l", "move_lights"),
+    _overlay("Handles of the object", "m", "move_object"),
     Action("Window", "Dark or light", "T", (_key("t"),), actions.toggle_theme),
     Action(
         "Window",
@@ -115,6 +161,7 @@ ACTIONS: tuple[Action, ...] = (
         actions.smaller_text,
     ),
     Action("Window", "Usual text", "Ctrl 0", (_key("_0", CTRL),), actions.usual_text),
+    Action("Window", "Forget the explained pixel", "Esc", (_key("escape"),), forget),
     Action(
         "Help",
         "Keys",
@@ -128,11 +175,11 @@ MENUS = tuple(dict.fromkeys(action.menu for action in ACTIONS))
 
 
 def pressed(state: State) -> State:
-    """What the keys of this frame do; nothing while a text field or a sheet has them."""
-    if imgui.get_io().want_text_input:
-        return state
+    """What the keys of this frame do, but for those that a text field or a sheet has."""
+    typing = imgui.get_io().want_text_input
     for action in ACTIONS:
-        if any(_hit(chord, action.repeats) for chord in action.chords):
+        chords = [c for c in action.chords if not typing or c in FUNCTION_KEYS]
+        if any(_hit(chord, action.repeats) for chord in chords):
             if state.sheet and action.menu != "Help":
                 continue
             state = action.do(state)

@@ -6,13 +6,24 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
 
+from playground.gui.clue import Clue
+from playground.gui.gizmos import Grip
+from playground.gui.guess import Guess
 from playground.gui.history import History
+from playground.gui.overlay_knobs import Overlays
+from playground.gui.presentation import backdrop
+from playground.gui.scope_path import Scope
+from playground.gui.speed_log import SpeedLog
 from playground.scene.knob import Declared, choice, number, switch
 from playground.scene.scene import Scene
 from playground.scene.settings import Shading
 from playground.scene.setup import Setup
 
-LAYOUTS = ("single", "side by side", "wipe", "terms")
+CODE_VIEWS = ("files", "move the code")
+TWINS = ("none", "NumPy", "HLSL", "Cg")
+Texts = tuple[tuple[str, str], ...]  # files of shaders/ and what stands in them
+LAYOUTS = ("single", "side by side", "wipe", "terms", "difference")
+REFERENCE = "reference"  # the float64 picture of the NumPy renderer, among the shadings
 SMALLEST_TEXT, LARGEST_TEXT = 0.8, 2.5
 
 
@@ -38,17 +49,45 @@ class State(Declared):
     message: str = ""
     failed: bool = False
     wish: str = ""
+    source: str = ""  # what the loaded setup is called on a command line
+    recent: tuple[str, ...] = ()  # files that were opened or saved, the newest first
+    kept: tuple[bool, str, float, bool] | None = None  # of the window, while presenting
+    code_file: str = "shade.glsl"  # the shader file that is shown
+    edits: Texts = ()  # what the user made of shader files; never part of the setup
+    on_disk: Texts = ()  # shader files that have changed on disk since the window opened
+    shader_error: str = ""  # why the last good shaders run in place of the edited ones
+    guess: Guess = field(default_factory=Guess)
+    scope: Scope = field(default_factory=Scope)
+    speed: SpeedLog = field(default_factory=SpeedLog)
+    pixel: tuple[float, float] | None = None  # that is explained: shares of width and height
+    clue: Clue = field(default_factory=Clue)
+    unfold: str = ""  # the panel to open at the next frame
+    overlays: Overlays = Overlays()
+    grip: Grip | None = None  # the handle in the picture that the mouse holds
     smooth: int = 1  # setups are opened with at least so many samples per pixel
 
     layout: str = choice("single", LAYOUTS, help="one picture, two to compare, or term by term")
     other: str = choice(
         Shading.PER_VERTEX.value,
-        tuple(mode.value for mode in Shading),
-        help="shading of the right picture",
+        (*(mode.value for mode in Shading), REFERENCE),
+        help="what it is compared with; the reference is per-fragment in float64, by NumPy",
     )
     wipe: float = number(0.5, 0.0, 1.0, help="where the divider stands; drag it in the picture")
+    magnify: float = number(
+        4.0, 1.0, 255.0, scale="log", help="the difference 1/magnify and more is yellow"
+    )
     playing: bool = switch(False, help="the camera walks around the target")
     panel: bool = switch(True, help="show the controls")
+    shaders: bool = switch(False, help="show the shaders below the picture")
+    shaders_share: float = number(0.55, 0.2, 0.8, help="of the height; drag the edge")
+    code_view: str = choice(
+        "files", CODE_VIEWS, help="the files that run, or where the call of the model stands"
+    )
+    twin: str = choice("NumPy", TWINS, help="the same code in another language, beside the file")
+    level: str = choice("full", ("beginner", "full"), help="how many panels are shown")
+    presentation: str = choice(
+        "off", ("off", "black", "white"), help="the picture alone, on this background"
+    )
     theme: str = choice("dark", ("dark", "light"), help="colours of the window")
     text_size: float = number(
         1.0, SMALLEST_TEXT, LARGEST_TEXT, help="size of the text; larger for a projector"
@@ -71,8 +110,20 @@ class State(Declared):
         if setup.settings.samples < self.smooth:
             setup = setup.with_(samples=self.smooth)
         return replace(
-            self, setup=setup, loaded=setup, file=file, chosen=0, solo=None, playing=False, sheet=""
-        )
+            self,
+            setup=setup,
+            loaded=setup,
+            file=file,
+            source="",
+            chosen=0,
+            solo=None,
+            playing=False,
+            sheet="",
+        ).unpicked()
+
+    def unpicked(self) -> State:
+        """The same without a pixel to explain."""
+        return replace(self, pixel=None, clue=replace(self.clue, lit=""))
 
 
 def start(setup: Setup, smooth: int = 1) -> State:
@@ -84,10 +135,18 @@ def start(setup: Setup, smooth: int = 1) -> State:
 
 def shown(state: State) -> Setup:
     """The setup as the pictures show it: with the soloed light alone, if there is one."""
-    lights = state.setup.scene.lights
+    setup, lights = state.setup, state.setup.scene.lights
+    background = backdrop(state)
+    if background:
+        setup = replace(setup, scene=_before(setup.scene, background))
     if state.solo is None or state.solo >= len(lights):
-        return state.setup
-    return replace(state.setup, scene=_alone(state.setup.scene, state.solo))
+        return setup
+    return replace(setup, scene=_alone(setup.scene, state.solo))
+
+
+@lru_cache(maxsize=16)
+def _before(scene: Scene, background: tuple[float, float, float]) -> Scene:
+    return replace(scene, background=background)
 
 
 @lru_cache(maxsize=16)

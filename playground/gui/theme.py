@@ -10,6 +10,8 @@ from playground import locate
 
 TEXT = 15.0  # pixels, at text size 1 on a screen of ordinary density
 FONT = "fonts/DejaVuSans.ttf"  # has λ ρ ⊗ · and Vietnamese
+CODE_FONT = "fonts/DejaVuSansMono.ttf"  # the same for shaders
+CODE = 0.87  # height of the letters of code, in those of other text
 Rgb = tuple[float, float, float]
 
 
@@ -46,8 +48,15 @@ PALETTES = {
 
 
 def load_font() -> None:
-    """The font of the interface; its glyphs are drawn when they are first needed."""
-    imgui.get_io().fonts.add_font_from_file_ttf(str(locate.asset(FONT)), TEXT)
+    """The fonts of interface and code; their glyphs are drawn when they are first needed."""
+    for font in (FONT, CODE_FONT):
+        imgui.get_io().fonts.add_font_from_file_ttf(str(locate.asset(font)), TEXT)
+
+
+def push_code_font() -> None:
+    """Write in the font of code until `imgui.pop_font`."""
+    size = imgui.get_style().font_size_base * CODE
+    imgui.push_font(imgui.get_io().fonts.fonts[1], size)
 
 
 def apply(theme: str, text_size: float, density: float) -> None:
@@ -71,6 +80,12 @@ def apply(theme: str, text_size: float, density: float) -> None:
     style.frame_border_size = 1.0  # outlines what is off as clearly as what is on
     style.window_border_size = style.popup_border_size = 1.0
     style.hover_delay_short = 0.35
+
+
+def lay_paper(paper: Rgb | None) -> None:
+    """Another colour behind everything: that of a presentation."""
+    if paper:
+        imgui.get_style().set_color_(imgui.Col_.window_bg, (*paper, 1.0))
 
 
 def _colours(palette: Palette) -> dict[int, Rgb]:
@@ -100,6 +115,9 @@ def _colours(palette: Palette) -> dict[int, Rgb]:
         col.scrollbar_bg: paper,
         col.title_bg_active: field,
         col.nav_cursor: accent,
+        col.plot_histogram: accent,  # of progress bars
+        col.table_header_bg: _mix(paper, field, 0.9),
+        col.table_row_bg_alt: _mix(paper, field, 0.3),
     }
 
 

@@ -8,7 +8,7 @@ from imgui_bundle import imgui
 
 SMALL = 0.72  # size of a subscript
 LOW, HIGH = 0.38, -0.18  # how far it is shifted, in heights of the text
-PARTS = re.compile(r"([_^])(\w+)|([^_^]+)")
+PARTS = re.compile(r"([_^])(\w+(?:\.\d+)?)|([^_^]+)")
 
 
 def typeset(text: str, at: imgui.ImVec2, size: float, colour: int, paint: bool = True) -> float:

@@ -10,7 +10,7 @@ import ctypes
 from collections.abc import Callable
 from typing import Any
 
-from imgui_bundle import _imgui_bundle, imgui  # type: ignore[attr-defined]
+from imgui_bundle import _imgui_bundle, imgui, implot  # type: ignore[attr-defined]
 
 from playground.gui import theme
 
@@ -23,6 +23,7 @@ class UiLoop:
     def __init__(self, window: Any, test_engine: bool = False) -> None:
         self._window = window
         self.context = imgui.create_context()
+        self._plots = implot.create_context()
         self.io = imgui.get_io()
         self.io.set_ini_filename("")
         self.io.config_windows_move_from_title_bar_only = True
@@ -76,6 +77,7 @@ class UiLoop:
         imgui.backends.opengl3_shutdown()
         if self._native:
             imgui.backends.glfw_shutdown()
+        implot.destroy_context(self._plots)
         imgui.destroy_context(self.context)
         if self.engine is not None:
             imgui.test_engine.destroy_context(self.engine)

@@ -7,9 +7,12 @@ from dataclasses import replace
 from imgui_bundle import imgui
 
 from playground.errors import PlaygroundError
+from playground.gui import arrows, difference_view, layers, pixel_pick
 from playground.gui.comparison import Picture, formula_box, pictures
+from playground.gui.guess import masked
 from playground.gui.navigation import navigated
 from playground.gui.scene_view import Slots
+from playground.gui.shader_edit import overrides
 from playground.gui.state import State
 from playground.gui.typeset import typeset
 
@@ -30,16 +33,28 @@ def draw(state: State, slots: Slots, scale: float) -> tuple[State, bool]:
     dense = imgui.get_io().display_framebuffer_scale
     width, height = max(int(space.x * dense.x), 1), max(int(space.y * dense.y), 1)
     state, held = navigated(state, imgui.ImVec2(space.x, space.y))
+    state = pixel_pick.picked(state, origin, (width, height))
     state = _divider(state, origin, space, scale) if state.layout == "wipe" else state
+    state = layers.held(state, pictures(state, width, height), origin, dense, scale)
     shown = pictures(state, width, height)
     slots.use(len(shown))
-    for i, picture in enumerate(shown):
-        texture = slots[i].texture(picture.setup, picture.box[2:])
+    slots.override(overrides(state))
+    textures = layers.textures(state, shown, slots)
+    if state.layout == "difference":
+        shown, textures = difference_view.pictured(state, shown, textures, slots)
+    for picture, texture in zip(layers.captioned(shown, slots), textures, strict=True):
         _place(picture, texture.glo, origin, dense, scale)
+    layers.draw(state, shown, origin, dense, scale)
+    if state.layout == "difference":
+        state = difference_view.legend(state, slots, origin, space, scale)
     if state.layout == "terms":
         _formula(formula_box(width, height), origin, dense, scale)
     if state.layout == "wipe":
         _line(state, origin, space, scale)
+    state = arrows.draw(state, shown, origin, scale)
+    error = masked(state, slots.shader_error)
+    if error != state.shader_error:
+        state = replace(state, shader_error=error)
     return state, held
 
 
@@ -90,6 +105,7 @@ def _divider(state: State, origin: imgui.ImVec2, space: imgui.ImVec2, scale: flo
     grip = GRIP * scale
     x = origin.x + state.wipe * space.x
     imgui.set_cursor_screen_pos(imgui.ImVec2(x - grip, origin.y))
+    imgui.set_next_item_allow_overlap()  # by handles
     imgui.invisible_button("divider", imgui.ImVec2(2 * grip, max(space.y, 1.0)))
     if imgui.is_item_hovered() or imgui.is_item_active():
         imgui.set_mouse_cursor(imgui.MouseCursor_.resize_ew)

@@ -27,6 +27,7 @@ class Ui:
 
     scale: float = 1.0
     refused: list[str] = field(default_factory=list)
+    view: tuple[int, int] = (1, 1)  # size of the view, in pixels of the framebuffer
 
 
 def edit(ui: Ui, item: Item, only: Iterable[str] = (), skip: Iterable[str] = ()) -> Item:

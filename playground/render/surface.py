@@ -99,7 +99,9 @@ def _surface(item: Object, lights: tuple[Light, ...], weights: dict[str, float])
         constant_terms=constant,
         shininess=material.shininess,
         lights=tuple(surface_light(light, item, weights) for light in lights),
-        texels=load_texture(material.texture, material.texture_encoding) if material.texture else None,
+        texels=load_texture(material.texture, material.texture_encoding)
+        if material.texture
+        else None,
     )
 
 

@@ -77,6 +77,12 @@ def window(gl_context):
     gl_context.__enter__()
 
 
+@pytest.fixture(autouse=True)
+def _settings_of_its_own(tmp_path, monkeypatch):
+    """No test, and no process that one starts, touches the user's settings."""
+    monkeypatch.setenv("PLAYGROUND_SETTINGS", str(tmp_path / "settings"))
+
+
 class Hands:
     """Drives a window frame by frame."""
 

@@ -21,9 +21,11 @@ def test_every_panel_by_its_labels(hands):
         assert hands.state.setup.scene.objects[0].material.shininess == 12.5
         c.item_click("View/per-vertex##shading")
         assert hands.state.setup.settings.shading == "per-vertex"
-        c.item_click("View/terms##layout")
-        assert hands.state.layout == "terms"
-        c.item_click("View/single##layout")
+        for layout in ("terms", "single"):
+            c.item_click("View/##layout")
+            c.yield_(2)
+            c.item_click(f"//##Combo_00/**/{layout}")
+            assert hands.state.layout == layout
         c.item_click("Lights/Add a light")
         assert len(hands.state.setup.scene.lights) == 2
         c.item_click("Lights/$$1/solo")

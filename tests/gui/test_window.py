@@ -64,9 +64,14 @@ def test_a_key_toggles_each_term(hands, term):
     np.testing.assert_array_equal(hands.pixels(), before)
 
 
-def test_digits_choose_the_shading(hands):
-    for digit, mode in zip("123", Shading, strict=True):
+def test_letters_choose_the_shading_and_digits_the_terms(hands):
+    for digit, term in enumerate(TERMS, 1):
         hands.key(f"_{digit}")
+        assert term not in hands.state.setup.settings.terms
+        hands.key(f"_{digit}")
+        assert hands.state.setup == hands.state.loaded
+    for keys, mode in zip((("f", "shift"), ("g",), ("p",)), Shading, strict=True):
+        hands.key(*keys)
         assert hands.state.setup.settings.shading == mode.value
 
 
@@ -144,7 +149,7 @@ def test_a_dropped_picture_brings_its_setup_back(hands, window, tmp_path, monkey
     hands.key("s")
     hands.drag(MIDDLE, (560, 400))
     wanted = hands.state.setup
-    hands.key("p")
+    hands.key("f12")
     assert (tmp_path / "teapot.png").is_file()
     hands.load("sphere")
     window.on_files_dropped_event(0, 0, [str(tmp_path / "teapot.png")])

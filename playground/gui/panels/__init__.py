@@ -7,18 +7,33 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from playground.gui.panels import display, lights, material, scene, terms, view
+from playground.gui.panels import (
+    bug_zoo,
+    display,
+    explain,
+    lights,
+    material,
+    popping,
+    scene,
+    speed,
+    terms,
+    view,
+)
 from playground.gui.state import State
 from playground.gui.widgets import Ui
 
 Panel = Callable[[State, Ui], State]
 
 PANELS: dict[str, Panel] = {
+    "Explain": explain.draw,
     "View": view.draw,
     "Terms": terms.draw,
     "Material": material.draw,
     "Lights": lights.draw,
     "Scene": scene.draw,
     "Display": display.draw,
+    "Bug zoo": bug_zoo.draw,
+    "Popping scope": popping.draw,
+    "Speed and error": speed.draw,
 }
 OPEN_AT_FIRST = ("View", "Terms", "Material")

@@ -6,8 +6,9 @@ from dataclasses import replace
 
 from imgui_bundle import imgui
 
+from playground.gui.presets import PRESETS, preset, preset_of
 from playground.gui.state import State
-from playground.gui.widgets import LABELS, Ui, attempt, edit
+from playground.gui.widgets import LABELS, Ui, attempt, edit, label
 from playground.scene.material import Material
 from playground.scene.scene import Object
 
@@ -23,7 +24,8 @@ def draw(state: State, ui: Ui) -> State:
         imgui.text_disabled("this setup has no object")
         return state
     item = objects[state.chosen]
-    material = edit(ui, item.material, only=(*COLOURS, "shininess"))
+    material = _preset(item.material)
+    material = edit(ui, material, only=(*COLOURS, "shininess"))
     material = _four_exponents(material, ui)
     material = edit(ui, material, only=("texture",))
     if material.texture:
@@ -52,6 +54,25 @@ def with_object(state: State, item: Object, before: Object) -> State:
     objects = list(state.setup.scene.objects)
     objects[state.chosen] = item
     return state.with_setup(state.setup.with_(objects=tuple(objects)))
+
+
+def _preset(material: Material) -> Material:
+    """A list of well known materials; the present one stands in it if it is one of them."""
+    label("preset")
+    imgui.same_line(LABELS * imgui.get_font_size())
+    imgui.set_next_item_width(-1)
+    now = preset_of(material)
+    if imgui.begin_combo("##preset", now or "choose..."):
+        for name in PRESETS:
+            red, green, blue = preset(name).diffuse
+            size = imgui.get_font_size()
+            imgui.color_button(f"##{name}", (red, green, blue, 1.0), 0, imgui.ImVec2(size, size))
+            imgui.same_line()
+            if imgui.selectable(name, name == now)[0]:
+                material = preset(name, material)
+        imgui.end_combo()
+    imgui.set_item_tooltip("colours and shininess from the 24 teapots of the OpenGL guide (1994)")
+    return material
 
 
 def _four_exponents(material: Material, ui: Ui) -> Material:

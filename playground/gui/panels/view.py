@@ -8,6 +8,7 @@ from typing import TypeVar
 from imgui_bundle import imgui
 
 from playground.gui.actions import frame_objects, kept_apart, play, reset
+from playground.gui.panels.overlays import overlay_switches
 from playground.gui.state import State
 from playground.gui.widgets import Ui, attempt, bare, edit
 from playground.scene.knob import knobs
@@ -22,7 +23,7 @@ def draw(state: State, ui: Ui) -> State:
     if settings is not state.setup.settings:
         state = state.with_setup(replace(state.setup, settings=settings))
     state = _row(state, "layout", ui)
-    if state.layout in ("side by side", "wipe"):
+    if state.layout in ("side by side", "wipe", "difference"):
         state = edit(ui, state, only=("other",))
     state = kept_apart(before, state)
     if imgui.button("Frame"):
@@ -36,7 +37,7 @@ def draw(state: State, ui: Ui) -> State:
     if imgui.button("Reset"):
         state = reset(state)
     imgui.set_item_tooltip("back to the setup as it was loaded (R)")
-    return state
+    return overlay_switches(state)
 
 
 def _row(item: Item, name: str, ui: Ui) -> Item:

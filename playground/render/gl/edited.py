@@ -24,6 +24,7 @@ class Edited:
         self.texts: Mapping[str, str] = {}
         self.error = ""
         self._good: Mapping[str, str] = {}
+        self._refused = False
 
     def change(self, texts: Mapping[str, str]) -> bool:
         """Take other texts; false if they are the same, so that programs can stay."""
@@ -31,8 +32,12 @@ class Edited:
             return False
         if not self.error:
             self._good = self.texts
-        self.texts, self.error = dict(texts), ""
+        self.texts, self.error, self._refused = dict(texts), "", False
         return True
+
+    def refuse(self, error: str) -> None:
+        """Take the texts for wrong although they compile: they cannot be drawn with."""
+        self.error, self._refused = error, True
 
     def program(
         self, context: moderngl.Context, needs: Needs, constants: Mapping[str, Any] | None = None
@@ -44,7 +49,7 @@ class Edited:
         ShaderError
             The files themselves do not compile.
         """
-        for texts in (self.texts, self._good):
+        for texts in (self._good,) if self._refused else (self.texts, self._good):
             try:
                 return Program(context, sources_for(needs, constants, texts))
             except (ShaderError, ValueError, FileNotFoundError) as error:

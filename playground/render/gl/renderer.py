@@ -69,6 +69,11 @@ class GLRenderer:
         if self._edited.change(texts):
             self._release_programs()
 
+    def refuse_overrides(self, error: str) -> None:
+        """Go back to the last good shaders, because drawing with the newest has failed."""
+        self._edited.refuse(error)
+        self._release_programs()
+
     @property
     def shader_error(self) -> str:
         """Why the overrides are not what is drawn with, with file and line; empty if they are."""
