@@ -7,6 +7,7 @@ from playground.scene.library import library
 from playground.scene.settings import TERMS, Shading
 
 pytestmark = pytest.mark.gl
+WALK = 300  # deeds of the random walk
 MIDDLE = (460, 350)
 
 
@@ -247,12 +248,16 @@ def test_text_of_any_size_and_both_themes_leave_room_for_the_picture(hands):
 
 
 def test_a_random_walk_of_events_leaves_a_sound_state(hands, rng, tmp_path, monkeypatch):
-    """Keys, clicks, drags and wheels anywhere: no exception, no GL error, a setup to save."""
+    """Keys, clicks, drags and wheels anywhere: no exception, no GL error, a setup to save.
+
+    A deed is four to sixteen events of mouse and keyboard: three thousand in all.
+    """
     from playground.scene.setup_file import format_setup, parse_setup
 
     monkeypatch.chdir(tmp_path)
     keys = ["d", "s", "a", "e", "_1", "_2", "_3", "c", "t", "h", "f", "r", "space", "escape"]
-    for _ in range(100):
+    keys += ["w", "n", "x", "l", "m", "b", "v", "g", "p", "tab", "f1", "f4", "f5", "page_up"]
+    for _ in range(WALK):
         x, y = (float(v) for v in rng.uniform((0, 25), (1280, 720)))
         deed = rng.integers(5)
         if deed == 0:
