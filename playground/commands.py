@@ -110,6 +110,11 @@ def _save_png(options: Namespace, setup: Setup) -> str:
         codes = np.empty((renderer.size[1], renderer.size[0], 4), dtype=np.uint8)
         renderer.render(setup, out=codes)
         write_whole(options.output, png_bytes(codes[..., :3], setup))
+        if (taken := renderer.samples(setup)) != setup.settings.samples:
+            asked = setup.settings.samples
+            _say(
+                f"this driver takes {taken} samples per pixel, not {asked}; NumPy takes any number"
+            )
         return renderer.name
 
 

@@ -65,6 +65,10 @@ class NumpyRenderer:
                 out[..., 3] = covered
         return out
 
+    def samples(self, setup: Setup) -> int:
+        """As many samples per pixel as ``setup`` asks for."""
+        return setup.settings.samples
+
     def close(self) -> None:
         """Nothing is held."""
 

@@ -37,6 +37,10 @@ class Renderer(Protocol):
         """
         ...
 
+    def samples(self, setup: Setup) -> int:
+        """How many samples per pixel this renderer takes for ``setup``: no more than it can."""
+        ...
+
     def close(self) -> None:
         """Free what the renderer holds."""
         ...

@@ -244,3 +244,22 @@ def test_a_texture_needs_texture_coordinates():
     with pytest.raises(pg.PlaygroundError, match=r"'plate' has no texture coordinates.*Remove"):
         check_texcoords(item, mesh)
     check_texcoords(pg.Object(arrays=mesh), mesh)
+
+
+@pytest.mark.gl
+def test_fewer_samples_than_asked_for_are_told(gl, tmp_path):
+    file = tmp_path / "a.png"
+    done = ok("render", "sphere", "-o", file, "--size", "32x24", "--set", "samples=16")
+    assert ("samples per pixel, not 16" in done.stderr) == (gl.max_samples < 16)
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="names of Linux libraries")
+def test_a_machine_without_gl_libraries(tmp_path):
+    """The loader looks for libraries that are not there, as on a bare machine."""
+    bare = {"GLCONTEXT_LINUX_LIBGL": "none.so", "GLCONTEXT_LINUX_LIBEGL": "none.so", "DISPLAY": ""}
+    done = ok("render", "sphere", "-o", tmp_path / "a.png", "--size", "32x24", env=bare)
+    assert "numpy" in done.stderr
+    assert "apt-get install" in done.stderr
+    asked = ("render", "sphere", "-o", tmp_path / "b.png", "--renderer", "gl")
+    assert "no GL driver" in refused(*asked, env=bare)
+    assert not (tmp_path / "b.png").exists()

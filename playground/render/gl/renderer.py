@@ -87,7 +87,7 @@ class GLRenderer:
             self._draw_and_read(setup, pixels)
             colour = np.ascontiguousarray(pixels[..., :3])
             image = Image(colour, pixels[..., 3].copy(), setup, self.name)
-            samples = self._target("f4", setup.settings.samples).samples
+            samples = self.samples(setup)
             if samples != setup.settings.samples:
                 image.notes["samples"] = f"this driver draws {samples} samples per pixel"
             return image
@@ -99,6 +99,10 @@ class GLRenderer:
             self._draw_and_read(setup, whole)
             out[...] = whole[..., : out.shape[2]]
         return out
+
+    def samples(self, setup: Setup) -> int:
+        """How many samples per pixel the driver draws for ``setup``: no more than it can."""
+        return min(setup.settings.samples, max(int(self._context.max_samples), 1))
 
     def _draw_and_read(self, setup: Setup, out: NDArray[Any]) -> None:
         target = self._target("f1" if out.dtype == np.uint8 else "f4", setup.settings.samples)
