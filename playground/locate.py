@@ -1,4 +1,4 @@
-"""The only module that knows where ``shaders/``, ``assets/`` and ``lessons/`` are.
+"""The only module that knows where ``shaders/`` and ``assets/`` are.
 
 In a checkout and in an editable install they stand beside the package; a wheel
 carries them inside it.
@@ -24,8 +24,3 @@ def shader(name: str) -> Path:
 def asset(name: str) -> Path:
     """The path of an asset, for example ``asset("scenes/teapot.toml")``."""
     return _folder("assets") / name
-
-
-def lessons() -> Path:
-    """The folder of the lessons."""
-    return _folder("lessons")

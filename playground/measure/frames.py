@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from playground.measure.floor import Floor
-from playground.measure.frames_scene import SIZE, TESSELLATION, eye, frames_setup
+from playground.measure.frames_scene import SIZE, eye, frames_setup
 from playground.render.renderer import open_renderer
 
 Timer = Callable[[int], list[float]]  # a number of frames -> milliseconds of each
@@ -135,8 +135,3 @@ class _Peer:
         self.process.stdin.flush()
         times: list[float] = json.loads(self.process.stdout.readline())
         return times
-
-
-def triangles_of(name: str) -> int:
-    """How many triangles a named size has."""
-    return 20 * TESSELLATION[name] ** 2

@@ -6,6 +6,7 @@ once, to the column vectors of the rest of the project.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import atan, degrees, hypot, radians, tan
 
 import numpy as np
@@ -23,8 +24,9 @@ NEAREST = 1e-3  # of an object's radius: nearer than this, the eye is inside it
 SMALLEST_NEAR = 1e-5  # of far: below, a depth buffer of 24 bits holds too few steps
 
 
+@lru_cache(maxsize=8)
 def view_rotation(camera: Camera) -> Array:
-    """The rotation from world axes to x right, y up, z towards the viewer, shape (3, 3)."""
+    """The rotation from world axes to x right, y up, z towards the viewer, (3, 3), read-only."""
     forward = _unit(tuple(t - e for t, e in zip(camera.target, camera.eye, strict=True)))
     side = _cross(forward, _unit(camera.up))
     if max(map(abs, side)) < STRAIGHT:
@@ -32,7 +34,9 @@ def view_rotation(camera: Camera) -> Array:
         longest = max(range(3), key=lambda i: abs(forward[i]))
         side = _cross(forward, tuple(float(i == (longest + 1) % 3) for i in range(3)))
     side = _unit(side)
-    return np.array([side, _cross(side, forward), [-x for x in forward]])
+    rotation = np.array([side, _cross(side, forward), [-x for x in forward]])
+    rotation.setflags(write=False)
+    return rotation
 
 
 def vertical_angle(camera: Camera, aspect: float) -> float:

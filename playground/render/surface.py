@@ -58,7 +58,7 @@ class Surface:
     normal_from_object: Array  # (3, 3): unit normals to unit normals unless `stretched`
     ball: tuple[Array, float]
     mirrored: bool
-    stretched: bool
+    stretched: bool  # not a similarity: unequally scaled, or flattened
     constant_terms: Array  # (3,): Σ w_a s_a ⊗ m_a + w_e m_e
     shininess: float
     lights: tuple[SurfaceLight, ...]
@@ -78,8 +78,8 @@ def _surface(item: Object, lights: tuple[Light, ...], weights: dict[str, float])
     # A rotation times one factor keeps unit normals of one length: make the factor 1.
     normals = normal_matrix(linear)
     gram = normals @ normals.T
-    stretched = not np.allclose(gram, gram[0, 0] * np.eye(3), rtol=1e-9, atol=1e-9)
-    if not stretched and gram[0, 0] > 0.0:
+    even = gram[0, 0] > 0.0 and np.allclose(gram, gram[0, 0] * np.eye(3), rtol=1e-9, atol=1e-9)
+    if even:
         normals = normals / np.sqrt(gram[0, 0])
 
     material = item.material
@@ -95,7 +95,7 @@ def _surface(item: Object, lights: tuple[Light, ...], weights: dict[str, float])
         normal_from_object=normals,
         ball=ball_of(item),
         mirrored=orientation(linear) < 0.0,
-        stretched=stretched,
+        stretched=not even,
         constant_terms=constant,
         shininess=material.shininess,
         lights=tuple(surface_light(light, item, weights) for light in lights),

@@ -1,4 +1,4 @@
-"""The only module that creates GL contexts: headless by EGL, or the one of a window.
+"""The only module that creates GL contexts: headless ones, by EGL where it can.
 
 Everything GL is optional. Where there is no driver, `headless` raises a
 `PlaygroundError` that says what to install, and ``renderer="auto"`` takes NumPy.
@@ -72,13 +72,6 @@ def rest(context: moderngl.Context) -> None:
     if "idle" not in context.extra:
         context.extra["idle"] = context.simple_framebuffer((4, 4))
     context.extra["idle"].use()
-
-
-def of_window() -> moderngl.Context:
-    """The context that a window has made current."""
-    import moderngl
-
-    return moderngl.get_context()
 
 
 def available() -> bool:

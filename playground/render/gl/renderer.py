@@ -167,15 +167,15 @@ class GLRenderer:
 
     def _program(self, wanted: Needs, number: int, surface: Surface, settings: Settings) -> Program:
         """The program for a surface, its colours uploaded or, once they stay, built in."""
-        values = surface_uniforms(surface, settings)
         if self._frames < STEADY:
             if wanted not in self._programs:
                 check_lights(self._context, wanted)
                 self._programs[wanted] = self._edited.program(self._context, wanted)
-            self._programs[wanted].write(values)
+            self._programs[wanted].write(surface_uniforms(surface, settings))
             return self._programs[wanted]
         key = (wanted, number)
         if key not in self._baked:
+            values = surface_uniforms(surface, settings)
             self._baked[key] = self._edited.program(self._context, wanted, values)
         return self._baked[key]
 
