@@ -33,6 +33,8 @@ _HOMES = {
     "DirectionalLight": "playground.scene.light",
     "PointLight": "playground.scene.light",
     "SpotLight": "playground.scene.light",
+    "RectangleLight": "playground.scene.light",
+    "PolygonLight": "playground.scene.light",
     "Image": "playground.render.image",
     "open_renderer": "playground.render.renderer",
     "compare": "playground.measure.compare",

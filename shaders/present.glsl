@@ -6,7 +6,14 @@
 #include "lib/display.glsl"
 #endif
 
+#if DISPLAY && MARKS
+#include "lib/marks.glsl"
+#endif
+
 vec4 present(vec3 colour) {
+#if DISPLAY && MARKS
+    vec3 linear = colour;
+#endif
 #if DISPLAY && EXPOSURE
     colour *= exposure;
 #endif
@@ -18,6 +25,12 @@ vec4 present(vec3 colour) {
 #endif
 #if DISPLAY && WRAP
     colour = wrap_colour(colour);
+#endif
+#if DISPLAY && MARKS
+#if !EXPOSURE
+    const float exposure = 1.0;
+#endif
+    colour = marked(colour, linear, exposure, SMALLEST_NORMAL, MARKS);
 #endif
     return vec4(colour, 1.0);
 }

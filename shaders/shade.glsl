@@ -4,6 +4,9 @@
 #include "lib/phong.glsl"
 #include "lib/light.glsl"
 #include "interface/surface.glsl"
+#if AREA_LIGHTS > 0
+#include "lib/area_light.glsl"
+#endif
 
 // Adds what one light, of the given strength at this point, contributes.
 void add_light(vec3 normal, vec3 to_light, vec3 to_eye, float strength,
@@ -23,6 +26,33 @@ void add_light(vec3 normal, vec3 to_light, vec3 to_eye, float strength,
     rest += specular_term(strength * factor, specular_product);
 #endif
 }
+
+#if AREA_LIGHTS > 0
+// The same for an area light: the form factor instead of max(n·l, 0), and the lobe's
+// integral over π, around the view vector mirrored about the normal, instead of max(r·v, 0)^sh.
+void add_area_light(vec3 position, vec3 normal, vec3 to_eye, vec3 corners[AREA_CORNERS], bool two_sided,
+                    vec3 diffuse_product, vec3 specular_product, inout vec3 diffuse, inout vec3 rest) {
+#if DIFFUSE
+    diffuse += diffuse_term(form_factor(position, normal, corners, two_sided), diffuse_product);
+#endif
+#if SPECULAR
+    vec3 axis = reflection(normal, to_eye);
+    float exponent = shininess, share = 0.318309886;
+#if BLINN
+    for (int k = 0; k < AREA_CORNERS; ++k)
+        corners[k] = position + stretched(corners[k] - position, normal, axis);
+    exponent = 0.25 * shininess;
+    share *= stretch_factor(normal, axis);
+#endif
+#if GATE
+    float lobe = lobe_integral_above(position, normal, axis, corners, exponent, two_sided);
+#else
+    float lobe = lobe_integral(position, axis, corners, exponent, two_sided);
+#endif
+    rest += specular_term(share * lobe, specular_product);
+#endif
+}
+#endif
 
 // The light that leaves a point towards the eye, which is the origin: the diffuse term,
 // which a texture would filter, and the rest of the sum.
@@ -63,6 +93,16 @@ void shade(vec3 position, vec3 normal, out vec3 diffuse, out vec3 rest) {
 #endif
         add_light(normal, to_light, to_eye, strength,
                   spot_diffuse[i], spot_specular[i], diffuse, rest);
+    }
+#endif
+
+#if AREA_LIGHTS > 0
+    for (int i = 0; i < AREA_LIGHTS; ++i) {
+        vec3 corners[AREA_CORNERS];
+        for (int k = 0; k < AREA_CORNERS; ++k)
+            corners[k] = area_corner[i * AREA_CORNERS + k];
+        add_area_light(position, normal, to_eye, corners, area_two_sided[i] > 0.5,
+                       area_diffuse[i], area_specular[i], diffuse, rest);
     }
 #endif
 }

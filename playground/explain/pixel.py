@@ -21,7 +21,7 @@ from playground.render.numpy_renderer import eye_normals, eye_positions
 from playground.render.shade import Contribution, contribution
 from playground.render.surface import Surface, surfaces
 from playground.render.view import View, view_of
-from playground.scene.light import Light
+from playground.scene.light import AreaLight, Light
 from playground.scene.settings import Settings, Shading
 from playground.scene.setup import Setup
 from playground.shading.display import code8, display_colour
@@ -35,7 +35,8 @@ class LightAtPoint:
     """What one light does at one point: vectors (3,), cosines, and its terms (3,), weighted.
 
     ``specular_cosine`` is what is raised to the shininess, r·v or n·h; ``gated`` says
-    that the gate on n·l has put the highlight out.
+    that the gate on n·l has put the highlight out. For an area light l points to its middle,
+    ``diffuse_factor`` is the form factor F, and ``specular_factor`` the lobe's integral over π.
     """
 
     kind: str
@@ -56,6 +57,7 @@ class LightAtPoint:
     diffuse: Array
     specular: Array
     ambient: Array
+    area: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,7 +79,8 @@ class Explanation:
 
     ``corners`` are the points at which the model was evaluated, and ``weights`` how
     they mix: one point with weight 1 for per-fragment and flat shading, the three
-    vertices with their barycentric weights for per-vertex shading.
+    vertices with their barycentric weights for per-vertex shading. ``light`` is the area light
+    whose own face the pixel sees, in place of an object.
     """
 
     setup: Setup
@@ -92,6 +95,7 @@ class Explanation:
     corners: tuple[ShadedPoint, ...] = ()
     shininess: float = 0.0
     needs: str = ""
+    light: int | None = None
 
     def text(self) -> str:
         """The explanation for a terminal."""
@@ -141,6 +145,9 @@ def explain(
 
     # Evaluate the model where the shading mode does: at the point, the centre, the vertices.
     surface, triangle = everything[number], int(frame.triangle[y, x])
+    if surface.emitter is not None:
+        emitted = surface.constant_terms
+        return _explanation(setup, (x, y), (width, height), emitted, light=surface.emitter)
     weights = frame.weights[y, x]
     front = bool(frame.front[y, x]) != surface.mirrored
     positions, normals, mix = _where(surface, view, settings, triangle, weights)
@@ -254,13 +261,14 @@ def _light_at_point(
         diffuse_factor=float(added.diffuse_factor),
         specular_cosine=float(np.dot(normal, half)) if blinn else r_dot_v,
         specular_factor=float(added.specular_factor),
-        gated=setup.settings.gate and n_dot_l <= 0.0,
+        gated=setup.settings.gate and n_dot_l <= 0.0 and not isinstance(light, AreaLight),
         light_diffuse=np.array(light.diffuse),
         light_specular=np.array(light.specular),
         light_ambient=np.array(light.ambient),
         diffuse=added.diffuse * texel,
         specular=added.specular,
         ambient=ambient,
+        area=isinstance(light, AreaLight),
     )
 
 

@@ -25,11 +25,18 @@ def text(why: Explanation) -> str:
         f"{why.setup.name}, pixel ({why.pixel[0]}, {why.pixel[1]}) "
         f"of {why.size[0]} x {why.size[1]}, {settings.shading}"
     ]
+    if why.light is not None:
+        kind = why.setup.scene.lights[why.light].kind
+        seen = "what it emits, s_d" if why.colour.any() else "its dark back, or nothing emitted"
+        lines += [f"sees light {why.light} ({kind}) itself: {seen}", *_ending(why)]
+        return "\n".join(lines)
     if why.object is None:
         lines += ["no surface here: the background", *_ending(why)]
         return "\n".join(lines)
     lines.append(f"sees triangle {why.triangle} of object {why.object}")
     lines.append(f"needs {why.needs}")
+    if settings.precision != "native":
+        lines.append(f"the picture is shaded in {settings.precision}, these numbers are float64")
     if len(why.corners) == 1:
         lines += ["", *_point(why, why.corners[0]), ""]
     else:
@@ -60,6 +67,9 @@ def _point(why: Explanation, point: ShadedPoint) -> list[str]:
 
 
 def _light(why: Explanation, point: ShadedPoint, light: LightAtPoint) -> list[str]:
+    if light.area:
+        ways = [_area_diffuse(why, point, light), _area_specular(why, light), _ambient(why, light)]
+        return [f"    l = {_triple(light.to_light)}   to the middle of the light", *ways]
     arriving = f"   arriving: {light.strength:.6g} of it" if light.strength != 1.0 else ""
     lines = [
         f"    l = {_triple(light.to_light)}   to_light{arriving}",
@@ -94,6 +104,31 @@ def _specular(why: Explanation, light: LightAtPoint) -> str:
     return (
         f"    specular  {symbols}max({base}, 0)^{why.shininess:g} s_s ⊗ m_s = "
         f"{factors}{cosine:.4f}^{why.shininess:g} {_triple(light.light_specular)} ⊗ "
+        f"{_triple(_material(why).specular)} = {_triple(light.specular)}"
+    )
+
+
+def _area_diffuse(why: Explanation, point: ShadedPoint, light: LightAtPoint) -> str:
+    weight = why.setup.settings.weights["diffuse"]
+    if weight == 0.0:
+        return "    diffuse   switched off"
+    symbols, factors = _scaling(weight, 1.0)
+    return (
+        f"    diffuse   {symbols}F s_d ⊗ m_d = {factors}{light.diffuse_factor:.4g} "
+        f"{_triple(light.light_diffuse)} ⊗ {_triple(point.material_diffuse)} = "
+        f"{_triple(light.diffuse)}   F form factor"
+    )
+
+
+def _area_specular(why: Explanation, light: LightAtPoint) -> str:
+    weight = why.setup.settings.weights["specular"]
+    if weight == 0.0:
+        return "    specular  switched off"
+    symbols, factors = _scaling(weight, 1.0)
+    base = "n·h" if why.setup.settings.highlight == "blinn" else "r·ω"
+    return (
+        f"    specular  {symbols}1/π ∫ max({base}, 0)^{why.shininess:g} dω s_s ⊗ m_s = "
+        f"{factors}{light.specular_factor:.4g} {_triple(light.light_specular)} ⊗ "
         f"{_triple(_material(why).specular)} = {_triple(light.specular)}"
     )
 
@@ -151,6 +186,7 @@ def latex(why: Explanation) -> str:
                 )
                 factors = _scaling(weights["specular"], light.strength)[1].replace("·", "\\cdot")
                 power = f"{max(light.specular_cosine, 0.0):.4f}^{{{why.shininess:g}}}"
+                power = f"{light.specular_factor:.4f}" if light.area else power
                 sums.append(f"{factors}{power}\\,{product}")
             if weights["ambient"]:
                 sums.append(_vector(light.ambient))
@@ -164,9 +200,15 @@ def latex(why: Explanation) -> str:
 def _formula(why: Explanation) -> str:
     """The four terms, those that are switched on."""
     base = r"n\cdot h" if why.setup.settings.highlight == "blinn" else r"r\cdot v"
+    point = rf"(\max({base},0))^{{sh}}"
+    area = rf"\frac{{1}}{{\pi}}\int(\max({base.replace('v', chr(92) + 'omega')},0))^{{sh}}d\omega"
+    kinds = {light.area for corner in why.corners for light in corner.lights}
+    lambert, lobe = ("F", area) if kinds == {True} else (r"\max(n\cdot l,0)", point)
+    if len(kinds) == 2:  # both kinds of light in one scene
+        lambert, lobe = rf"[{lambert}|F]", f"[{lobe}|{area}]"
     terms = {
-        "diffuse": r"\max(n\cdot l,0)\,s_d\otimes m_d",
-        "specular": rf"(\max({base},0))^{{sh}}\,s_s\otimes m_s",
+        "diffuse": rf"{lambert}\,s_d\otimes m_d",
+        "specular": rf"{lobe}\,s_s\otimes m_s",
         "ambient": r"s_a\otimes m_a",
         "emissive": "m_e",
     }
@@ -186,6 +228,7 @@ def to_dict(why: Explanation) -> dict[str, Any]:
         "size": list(why.size),
         "shading": why.setup.settings.shading,
         "object": why.object,
+        "light": why.light,
         "triangle": why.triangle,
         "shininess": why.shininess,
         "needs": why.needs,

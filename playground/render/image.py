@@ -8,9 +8,12 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from playground.render.precision import smallest_normal
+from playground.render.shown import shown_colour
 from playground.scene.settings import Settings
 from playground.scene.setup import Setup
-from playground.shading.display import code8, display_colour
+from playground.shading.display import code8
+from playground.shading.marks import KINDS, kinds_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,9 +44,18 @@ class Image:
         return self.pixels.shape[1], self.pixels.shape[0]
 
     def shown(self) -> NDArray[np.float64]:
-        """What a screen shows, in [0, 1], shape (H, W, 3): exposed, clamped, with the curve."""
-        settings = self.setup.settings if self.setup is not None else Settings()
-        return display_colour(self.pixels, settings.exposure, settings.clamp, settings.curve)
+        """What a screen shows, in [0, 1], shape (H, W, 3): exposed, clamped, curved, marked."""
+        return shown_colour(self.pixels, self._settings)
+
+    def marks(self) -> dict[str, int]:
+        """How many pixels are NaN, infinite, negative, denormal, clamped; each kind by itself."""
+        settings = self._settings
+        found = kinds_of(self.pixels, settings.exposure, smallest_normal(settings))
+        return {kind: int(found[..., k].sum()) for k, kind in enumerate(KINDS)}
+
+    @property
+    def _settings(self) -> Settings:
+        return self.setup.settings if self.setup is not None else Settings()
 
     def codes(self) -> NDArray[np.uint8]:
         """The 8-bit codes of the picture, shape (H, W, 3)."""

@@ -7,11 +7,13 @@ shown in the window.
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass, fields
 
+from playground.render.precision import on_gpu
+from playground.render.shown import wanted_marks
 from playground.render.surface import Surface
 from playground.render.view import View
-from playground.scene.light import LIGHTS
 from playground.scene.settings import Settings
 
 
@@ -23,6 +25,8 @@ class Needs:
     directional_lights: int = 0
     point_lights: int = 0
     spot_lights: int = 0
+    area_lights: int = 0
+    area_corners: int = 0
     diffuse: bool = False
     specular: bool = False
     blinn: bool = False
@@ -35,12 +39,15 @@ class Needs:
     exposure: bool = False
     curve: bool = False
     wrap: bool = False
+    marks: int = 0  # bit k for kind k of playground.shading.marks
     bugs: tuple[str, ...] = ()
+    precision: str = "native"
 
     @property
     def defines(self) -> dict[str, int]:
         """The features as preprocessor symbols: ``POINT_LIGHTS 1``, ``SPECULAR 0``, ..."""
-        names = [f.name for f in fields(self) if f.name not in ("shading", "bugs")]
+        others = ("shading", "bugs", "precision")
+        names = [f.name for f in fields(self) if f.name not in others]
         return {name.upper(): int(getattr(self, name)) for name in names}
 
     def describe(self) -> str:
@@ -51,9 +58,13 @@ class Needs:
             value = getattr(self, name)
             if value is True:
                 words.append(name.replace("_", " "))
+            elif value and name == "marks":
+                words.append("marks")
             elif value:
                 words.append(f"{value} {name.replace('_', ' ')}"[: None if value > 1 else -1])
         words += [f"bug: {bug}" for bug in self.bugs]
+        if self.precision != "native":
+            words.append(self.precision)
         return ", ".join(words)
 
 
@@ -63,12 +74,15 @@ def needs(surface: Surface, view: View, settings: Settings, display: bool = Fals
     diffuse = any(light.diffuse.any() for light in lights)
     specular = any(light.specular.any() for light in lights)
     lit = diffuse or specular
-    count = {kind: sum(lit and light.kind == kind for light in lights) for kind in LIGHTS}
+    count = Counter(light.kind for light in lights if lit)
+    corners = [len(light.corners) for light in lights if light.corners is not None]
     return Needs(
         shading=settings.shading,
         directional_lights=count["directional"],
         point_lights=count["point"],
         spot_lights=count["spot"],
+        area_lights=count["area"],
+        area_corners=max(corners) if count["area"] else 0,
         diffuse=diffuse,
         specular=specular,
         blinn=specular and settings.highlight == "blinn",
@@ -81,5 +95,7 @@ def needs(surface: Surface, view: View, settings: Settings, display: bool = Fals
         exposure=display and settings.exposure != 1.0,
         curve=display and settings.curve == "srgb",
         wrap=display and not settings.clamp,
+        marks=wanted_marks(settings) if display else 0,
         bugs=settings.bugs,
+        precision=on_gpu(settings),
     )

@@ -1,4 +1,4 @@
-"""The reference renderer: float64 NumPy, GL's rules, no GL.
+"""The reference renderer: NumPy in float64 unless asked otherwise, GL's rules, no GL.
 
 The oracle against which the GPU's pictures are judged, and the fallback where there is
 no driver. The three shadings are the same function called in three places: per triangle,
@@ -10,11 +10,12 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from playground.errors import PlaygroundError
 from playground.render.checks import check_out, check_setup
 from playground.render.image import Image
+from playground.render.precision import arithmetic, number_type, to_type
 from playground.render.raster.rasterize import Frame, rasterize
 from playground.render.shade import shade
 from playground.render.surface import Surface, surfaces
@@ -28,7 +29,7 @@ BLOCK = 2**16  # pixels shaded at a time: bounds the memory whatever the size of
 
 
 class NumpyRenderer:
-    """Draws setups of one size in float64."""
+    """Draws setups of one size, in float64 or the precision of the setup."""
 
     name = "numpy"
 
@@ -80,14 +81,14 @@ class NumpyRenderer:
 
 
 def sample_offsets(samples: int) -> list[tuple[float, float]]:
-    """Where in the pixel the samples lie: its centre, or points of the R2 sequence.
+    """Where in the pixel the samples lie: points of the R2 sequence about its centre.
 
+    The sequence runs both ways from the centre, so that the points mirror each other and their
+    mean is the centre: more samples do not move the picture.
     Source: Roberts, The Unreasonable Effectiveness of Quasirandom Sequences, 2018.
     """
-    if samples == 1:
-        return [(0.5, 0.5)]
     step = np.array([0.7548776662466927, 0.5698402909980532])
-    points = (0.5 + np.arange(samples)[:, None] * step) % 1.0
+    points = (0.5 + (np.arange(samples)[:, None] - (samples - 1) / 2.0) * step) % 1.0
     return [(float(x), float(y)) for x, y in points]
 
 
@@ -143,9 +144,9 @@ def eye_positions(surface: Surface, view: View, points: NDArray[Any]) -> Array:
     return np.asarray(points @ matrix[:3, :3].T + matrix[:3, 3])
 
 
-def eye_normals(surface: Surface, normals: NDArray[Any]) -> Array:
-    """Normals of a mesh (..., 3) in the axes of the world, unit length."""
-    return unit(normals @ surface.normal_from_object.T)
+def eye_normals(surface: Surface, normals: NDArray[Any], dtype: DTypeLike = np.float64) -> Array:
+    """Normals of a mesh (..., 3) in the axes of the world, made unit length in ``dtype``."""
+    return unit(to_type(normals @ surface.normal_from_object.T, dtype))
 
 
 VertexColours = tuple[tuple[Array, Array], tuple[Array, Array]] | None
@@ -164,11 +165,21 @@ def colours_before(surface: Surface, view: View, settings: Settings) -> VertexCo
     else:
         points = mesh.triangle_centres.astype(np.float32)
         normals = mesh.triangle_normals.astype(np.float32)
-    position, normal = eye_positions(surface, view, points), eye_normals(surface, normals)
-    front = shade(surface, view, settings, position, normal)
-    if not view.two_sided(surface):
-        return front, front
-    return front, shade(surface, view, settings, position, turned_to_eye(normal, -position))
+    dtype = number_type(settings)
+
+    def shaded(normal: Array) -> tuple[Array, Array]:
+        diffuse, rest = shade(surface, view, settings, position, normal)
+        if dtype == np.float64 or surface.texels is not None:
+            return diffuse, rest
+        return np.zeros_like(rest), diffuse + rest  # rounded here, as by the vertex stage
+
+    with arithmetic(dtype):
+        position = to_type(eye_positions(surface, view, points), dtype)
+        normal = eye_normals(surface, normals, dtype)
+        front = shaded(normal)
+        if not view.two_sided(surface):
+            return front, front
+        return front, shaded(turned_to_eye(normal, -position))
 
 
 def pixel_colours(
@@ -180,7 +191,19 @@ def pixel_colours(
     before: VertexColours,
 ) -> Array:
     """The colours of the pixels ``at`` (rows, columns), which see ``surface``; (K, 3)."""
-    mesh = surface.mesh
+    with arithmetic(number_type(settings)):
+        return _pixel_colours(surface, view, settings, frame, at, before)
+
+
+def _pixel_colours(
+    surface: Surface,
+    view: View,
+    settings: Settings,
+    frame: Frame,
+    at: tuple[NDArray[np.intp], NDArray[np.intp]],
+    before: VertexColours,
+) -> Array:
+    mesh, dtype = surface.mesh, number_type(settings)
     triangle, weights = frame.triangle[at], frame.weights[at]
     front = (frame.front[at] != surface.mirrored)[:, None]
     corners = mesh.faces[triangle]
@@ -189,20 +212,21 @@ def pixel_colours(
         return np.asarray(np.einsum("kc,kcx->kx", weights, attribute[corners]))
 
     if before is None:
-        position = eye_positions(surface, view, interpolate(mesh.positions))
+        position = to_type(eye_positions(surface, view, interpolate(mesh.positions)), dtype)
         normals = mesh.normals
         if surface.stretched:  # as the vertex stage does, so that all weigh the same
-            normal = unit(interpolate(eye_normals(surface, normals)))
+            normal = unit(to_type(interpolate(eye_normals(surface, normals)), dtype))
         else:
-            normal = eye_normals(surface, interpolate(normals))
+            normal = eye_normals(surface, interpolate(normals), dtype)
         normal = np.where(front, normal, turned_to_eye(normal, -position))
         diffuse, rest = shade(surface, view, settings, position, normal)
     else:
         faces = settings.shading == Shading.FLAT
         pick = (lambda a: a[triangle]) if faces else interpolate
         (diffuse_front, rest_front), (diffuse_back, rest_back) = before
-        diffuse = np.where(front, pick(diffuse_front), pick(diffuse_back))
-        rest = np.where(front, pick(rest_front), pick(rest_back))
+        diffuse = to_type(np.where(front, pick(diffuse_front), pick(diffuse_back)), dtype)
+        rest = to_type(np.where(front, pick(rest_front), pick(rest_back)), dtype)
     if surface.texels is not None and mesh.texcoords is not None:
-        diffuse = diffuse * bilinear(surface.texels, interpolate(mesh.texcoords))
+        texel = bilinear(surface.texels, interpolate(mesh.texcoords))
+        diffuse = diffuse * to_type(texel, dtype)
     return diffuse + rest

@@ -7,14 +7,16 @@ colours, which are the same at every one of its points.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import radians
 
 import numpy as np
 from numpy.typing import NDArray
 
 from playground.render.texels import check_texcoords, load_texture
-from playground.scene.light import DirectionalLight, Light, PointLight, SpotLight
+from playground.scene.light import AreaLight, DirectionalLight, Light, PointLight, SpotLight
 from playground.scene.mesh import Mesh
+from playground.scene.polygon import triangles
 from playground.scene.scene import Object, Scene
 from playground.scene.setup import ball_of
 from playground.shading.light import cone
@@ -29,8 +31,9 @@ NO_ATTENUATION = (1.0, 0.0, 0.0)
 class SurfaceLight:
     """One light as one surface sees it: ``diffuse`` is w_d s_d ⊗ m_d, ``specular`` w_s s_s ⊗ m_s.
 
-    ``position``, ``to_light`` and ``axis`` are in the world, shape (3,), where the kind
-    of light has them; ``attenuation`` is (k_c, k_l, k_q).
+    ``kind`` is directional, point, spot or area. ``position``, ``to_light`` and ``axis`` (3,) and
+    the ``corners`` (K, 3) of an area light are in the world, where the kind of light has them;
+    ``attenuation`` is (k_c, k_l, k_q).
     """
 
     kind: str
@@ -41,6 +44,8 @@ class SurfaceLight:
     attenuation: tuple[float, float, float] = NO_ATTENUATION
     axis: Array | None = None
     edge_width: tuple[float, float] = (1.0, 0.0)
+    corners: Array | None = None
+    two_sided: bool = False
 
     @property
     def attenuates(self) -> bool:
@@ -50,7 +55,10 @@ class SurfaceLight:
 
 @dataclass(frozen=True, eq=False)
 class Surface:
-    """One object ready to be drawn from anywhere; matrices act on column vectors."""
+    """One object ready to be drawn from anywhere; matrices act on column vectors.
+
+    An area light that is to be seen is two such sheets, of which each shows its front only.
+    """
 
     mesh: Mesh
     linear: Array  # (3, 3): world axes from object axes
@@ -63,11 +71,20 @@ class Surface:
     shininess: float
     lights: tuple[SurfaceLight, ...]
     texels: NDArray[np.float32] | None
+    emitter: int | None = None  # which light this is a side of
 
 
 def surfaces(scene: Scene, weights: dict[str, float]) -> tuple[Surface, ...]:
-    """Every object of the scene, with the four terms weighted as in `Settings.weights`."""
-    return tuple(_surface(item, scene.lights, weights) for item in scene.objects)
+    """Every object of the scene, with the four terms weighted as in `Settings.weights`.
+
+    After the objects come the sides of area lights that are to be seen.
+    """
+    lights = enumerate(scene.lights)
+    seen = [(i, x) for i, x in lights if isinstance(x, AreaLight) and x.visible]
+    return (
+        *(_surface(item, scene.lights, weights) for item in scene.objects),
+        *(side for i, light in seen for side in _sides(i, light, weights["emissive"])),
+    )
 
 
 def _surface(item: Object, lights: tuple[Light, ...], weights: dict[str, float]) -> Surface:
@@ -105,12 +122,40 @@ def _surface(item: Object, lights: tuple[Light, ...], weights: dict[str, float])
     )
 
 
+def _sides(number: int, light: AreaLight, weight: float) -> tuple[Surface, Surface]:
+    """The front of an area light, which shows what it emits, and its back."""
+    front, back = _sheets(light.corners)
+    origin = np.array(light.corners[0])
+    emitted = weight * np.array(light.diffuse)
+    radius = front.radius
+
+    def side(mesh: Mesh, colour: Array) -> Surface:
+        ball = (origin + mesh.centre, radius)
+        matrix = np.eye(3)
+        return Surface(
+            mesh, matrix, origin, matrix, ball, False, False, colour, 0.0, (), None, number
+        )
+
+    return side(front, emitted), side(back, emitted if light.two_sided else np.zeros(3))
+
+
+@lru_cache(maxsize=64)
+def _sheets(corners: tuple[tuple[float, float, float], ...]) -> tuple[Mesh, Mesh]:
+    """A polygon as seen from either side, relative to its first corner."""
+    places = np.array(corners) - corners[0]
+    front = triangles(places, np.array([len(places)]))
+    return Mesh.create(places, front), Mesh.create(places, front[:, ::-1])
+
+
 def surface_light(light: Light, item: Object, weights: dict[str, float]) -> SurfaceLight:
     """One light with its products with the material of ``item``."""
     diffuse = weights["diffuse"] * component_filter(light.diffuse, item.material.diffuse)
     specular = weights["specular"] * component_filter(light.specular, item.material.specular)
     if isinstance(light, DirectionalLight):
         return SurfaceLight("directional", diffuse, specular, to_light=unit(light.to_light))
+    if isinstance(light, AreaLight):
+        corners = np.array(light.corners)
+        return SurfaceLight("area", diffuse, specular, corners=corners, two_sided=light.two_sided)
     assert isinstance(light, PointLight)
     position = np.array(light.position)
     fading = (light.constant, light.linear, light.quadratic)

@@ -19,6 +19,7 @@ from playground.render.surface import Surface
 from playground.scene.camera import Camera
 
 Array = NDArray[np.float64]
+FARTHEST_CORNER = 1e9  # the same for area lights, whose products of three must not overflow
 FARTHEST = 1e12  # scene sizes: from there light arrives parallel, to 40 bits
 
 
@@ -78,22 +79,33 @@ class View:
 
     def two_sided(self, surface: Surface) -> bool:
         """Whether its inside may be seen: it is open, or the near plane may cut into it."""
+        if surface.emitter is not None:
+            return False
         centre, radius = surface.ball
         depth = -float(self.camera_from_world[2] @ (centre - self.eye))
         return depth - radius <= self.near or not surface.mesh.cullable
 
     def light_place(
-        self, position: Array, k: tuple[float, float, float]
+        self, position: Array, k: tuple[float, float, float], farthest: float = FARTHEST
     ) -> tuple[Array, tuple[float, float, float]]:
         """A light relative to the eye (3,), and its attenuation for distances there.
 
-        A light farther than `FARTHEST` is moved there along its direction, and the
+        A light farther than ``farthest`` is moved there along its direction, and the
         factors make up for it: no shader could tell, and no float32 square overflows.
         """
         relative = self.relative(position)
-        factor = max(float(np.max(np.abs(relative))) / FARTHEST, 1.0)
+        factor = max(float(np.max(np.abs(relative))) / farthest, 1.0)
         constant, linear, quadratic = self.attenuation(k)
         return relative / factor, (constant, linear * factor, quadratic * factor**2)
+
+    def corners(self, points: Array, farthest: float = FARTHEST_CORNER) -> Array:
+        """The corners (K, 3) of an area light relative to the eye.
+
+        A light with a corner farther than ``farthest`` is shrunk towards the eye until it is not:
+        it looks the same from there, and nearly so from all of the scene.
+        """
+        relative = self.relative(points)
+        return relative / max(float(np.max(np.abs(relative))) / farthest, 1.0)
 
 
 def view_of(camera: Camera, surfaces: tuple[Surface, ...], size: tuple[int, int]) -> View:

@@ -68,7 +68,10 @@ def assign(setup: Setup, assignment: str) -> Setup:
 
 
 def read(knob: Knob, text: str, where: str) -> Any:
-    """The value that ``text`` means for ``knob``: ``1,0,0`` is a colour, ``on`` a switch."""
+    """The value that ``text`` means for ``knob``: ``1,0,0`` is a colour, ``on`` a switch.
+
+    Points of an outline stand between slashes: ``0,2,0/1,2,0/0,2,1``.
+    """
     text = text.strip()
     if knob.kind in ("text", "choice", "names"):
         return knob.check(text, where)
@@ -76,6 +79,9 @@ def read(knob: Knob, text: str, where: str) -> Any:
         if text.lower() not in (*_TRUE, *_FALSE):
             return knob.check(text, where)
         return text.lower() in _TRUE
+    if knob.kind == "vertices":
+        points = [[_number(x) for x in point.split(",")] for point in text.strip("[]()").split("/")]
+        return knob.check(points, where)
     numbers = [_number(part) for part in text.strip("[]()").split(",")]
     triple = knob.kind in ("colour", "vector")
     return knob.check(numbers if triple else numbers[0] if len(numbers) == 1 else text, where)

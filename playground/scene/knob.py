@@ -23,9 +23,10 @@ class Knob:
     """The declaration of one quantity.
 
     ``kind`` is ``number``, ``integer``, ``switch``, ``choice``, ``colour``,
-    ``vector``, ``text`` or ``names`` (a subset of ``choices``). ``low`` and
-    ``high`` are inclusive and in ``unit``; for a colour or vector they bound
-    each component. ``scale`` is how a slider moves: ``linear`` or ``log``.
+    ``vector``, ``vertices`` (points, as many as ``count`` allows), ``text`` or ``names`` (a
+    subset of ``choices``). ``low`` and ``high`` are inclusive and in ``unit``; for a colour,
+    vector or point they bound each component. ``scale`` is how a slider moves: ``linear`` or
+    ``log``.
     """
 
     kind: str
@@ -37,6 +38,7 @@ class Knob:
     help: str = ""
     symbol: str = ""
     choices: tuple[str, ...] = ()
+    count: tuple[int, int] = (0, 0)
 
     @property
     def allowed(self) -> str:
@@ -49,6 +51,8 @@ class Knob:
             return "a list of " + ", ".join(self.choices)
         if self.kind == "text":
             return "text without null characters"
+        if self.kind == "vertices":
+            return f"{self.count[0]} to {self.count[1]} points of three numbers each"
         what = {"integer": "a whole number", "number": "a number"}.get(self.kind, "three numbers")
         unit = f" {self.unit}" if self.unit else ""
         if self.low <= -UNBOUNDED and self.high >= UNBOUNDED:
@@ -126,6 +130,15 @@ def _check_triple(knob: Knob, value: Any, where: str) -> tuple[float, float, flo
     )
 
 
+def _check_vertices(knob: Knob, value: Any, where: str) -> tuple[tuple[float, float, float], ...]:
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    fewest, most = knob.count
+    if not isinstance(value, (list, tuple)) or not fewest <= len(value) <= most:
+        raise knob._refuse(value, where)
+    return tuple(_check_triple(knob, point, where) for point in value)
+
+
 def _check_text(knob: Knob, value: Any, where: str) -> str:
     if not isinstance(value, str) or "\0" in value:
         raise knob._refuse(value, where)
@@ -140,6 +153,7 @@ _CHECKERS = {
     "names": _check_names,
     "colour": _check_triple,
     "vector": _check_triple,
+    "vertices": _check_vertices,
     "text": _check_text,
 }
 
@@ -181,6 +195,12 @@ def colour(red: float, green: float, blue: float, **more: Any) -> Any:
 def vector(x: float, y: float, z: float, **more: Any) -> Any:
     """Declare a point or direction."""
     return _field(Knob("vector", (float(x), float(y), float(z)), **more))
+
+
+def vertices(points: Sequence[Sequence[float]], fewest: int, most: int, **more: Any) -> Any:
+    """Declare the corners of an outline."""
+    default = tuple(tuple(float(x) for x in point) for point in points)
+    return _field(Knob("vertices", default, count=(fewest, most), **more))
 
 
 def text(default: str = "", **more: Any) -> Any:

@@ -25,6 +25,8 @@ BUGS = (  # the names of shaders/bugs.toml; a test holds the two together
     "srgb-twice",
 )
 TERMS = ("diffuse", "specular", "ambient", "emissive")
+PRECISIONS = ("native", "float16", "float32", "float64")
+MARKS = ("nan", "infinite", "negative", "denormal", "clamped")  # KINDS of shading/marks.py
 
 
 @dataclass(frozen=True)
@@ -51,6 +53,32 @@ class Settings(Declared):
     clamp: bool = switch(True, help="display: cut at 0 and 1; without it 8-bit codes wrap around")
     curve: str = choice("none", ("none", "srgb"), help="display: transfer curve after clamping")
     samples: int = integer(1, 1, 16, help="anti-aliasing samples per pixel")
+    precision: str = choice(
+        "native",
+        PRECISIONS,
+        help="arithmetic of the shading; native is float32 on the GPU, float64 in NumPy",
+    )
+    marks: tuple[str, ...] = names(
+        (), MARKS, help="display: false colours for numbers that a picture would hide"
+    )
+    depth: int = integer(5, 0, 100, help="ray tracing: bounces followed; 0 for primary rays only")
+    threshold: float = number(
+        0.004, 0.0, 1.0, help="ray tracing: a ray that weighs less in every channel is not shot"
+    )
+    light_samples: int = integer(
+        16, 1, 1024, help="ray tracing: shadow rays to each area light; more are smoother"
+    )
+    fresnel: str = choice(
+        "exact", ("exact", "schlick"), help="ray tracing: what glass reflects, or Schlick's guess"
+    )
+    surfaces: str = choice(
+        "analytic",
+        ("analytic", "triangles"),
+        help="ray tracing: spheres, boxes, ... themselves, or the triangles of their meshes",
+    )
+    clear_shadows: bool = switch(
+        True, help="ray tracing: glass lets light through to what lies behind, unbent"
+    )
 
     bugs: tuple[str, ...] = names((), BUGS, help="classic mistakes to make, on the GPU only")
 

@@ -73,10 +73,13 @@ def _values(value: Declared) -> Table:
     """The knobs of one dataclass whose value is not the default."""
     found = {name: getattr(value, name) for name in knobs(type(value))}
     return {
-        name: list(got) if isinstance(got, tuple) else got
-        for name, got in found.items()
-        if got != knobs(type(value))[name].default
+        name: _listed(got) for name, got in found.items() if got != knobs(type(value))[name].default
     }
+
+
+def _listed(value: Any) -> Any:
+    """Tuples as lists, all the way down: what TOML has."""
+    return [_listed(x) for x in value] if isinstance(value, tuple) else value
 
 
 def _object_table(item: Object, folder: Path | None) -> Table:

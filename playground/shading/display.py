@@ -42,14 +42,19 @@ def display_colour(
     colour: ArrayLike, exposure: float = 1.0, clamp: bool = True, curve: str = "none"
 ) -> Array:
     """All steps but the last: what is shown, in [0, 1], for linear ``colour`` (..., 3)."""
-    shown = np.asarray(colour, dtype=np.float64) * exposure
-    if clamp:
-        shown = clamp_colour(shown)
-    if curve == "srgb":
-        shown = srgb_encode(shown)
-    return shown if clamp else wrap_colour(shown)
+    with np.errstate(over="ignore", invalid="ignore"):  # of infinity, and of NaN
+        shown = np.asarray(colour, dtype=np.float64) * exposure
+        if clamp:
+            shown = clamp_colour(shown)
+        if curve == "srgb":
+            shown = srgb_encode(shown)
+        return shown if clamp else wrap_colour(shown)
 
 
 def code8(shown: ArrayLike) -> NDArray[np.uint8]:
-    """The 8-bit code of a value in [0, 1]: floor(255 s + 1/2)."""
-    return np.floor(np.asarray(shown, dtype=np.float64) * 255.0 + 0.5).astype(np.uint8)
+    """The 8-bit code of a value in [0, 1]: floor(255 s + 1/2); 0 for NaN, as on a GPU.
+
+    Source: OpenGL 4.6 core specification, section 2.3.5.2.
+    """
+    number = np.fmax(np.asarray(shown, dtype=np.float64), 0.0)
+    return np.floor(number * 255.0 + 0.5).astype(np.uint8)

@@ -13,17 +13,19 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from playground.shading.floats import Array, floats
 from playground.shading.power import lobe
-from playground.shading.vector import Array, dot, halfway, reflection
+from playground.shading.vector import dot, halfway, reflection
 
 
 def component_filter(light: ArrayLike, material: ArrayLike) -> Array:
     """S ⊗ m: each colour channel of the light, weakened by that of the material."""
-    return np.multiply(light, material, dtype=np.float64)
+    light, material = floats(light, material)
+    return np.asarray(light * material)
 
 
 def diffuse_factor(normal: ArrayLike, to_light: ArrayLike) -> Array:
-    """max(n·l, 0): Lambert's law, shape (...)."""
+    """max(n·l, 0): Lambert's law (Photometria, 1760), shape (...)."""
     return np.maximum(dot(normal, to_light), 0.0)
 
 
@@ -48,19 +50,23 @@ def gate(normal: ArrayLike, to_light: ArrayLike) -> Array:
     """1 where the light is above the surface, n·l > 0, and 0 elsewhere, shape (...).
 
     Multiplied with the specular factor it removes highlights on the far side of the
-    light, which the lecture's formula to the letter allows.
+    light, which the lecture's formula to the letter allows. Source: Akenine-Möller et al.,
+    Real-Time Rendering 4, chapter 9.
     """
-    return np.where(dot(normal, to_light) > 0.0, 1.0, 0.0)
+    cosine = dot(normal, to_light)
+    return np.asarray((cosine > 0.0).astype(cosine.dtype))
 
 
 def diffuse_term(factor: ArrayLike, product: ArrayLike) -> Array:
     """Lambert's factor (...) times the product s_d ⊗ m_d (..., 3) of `component_filter`."""
-    return np.asarray(factor, np.float64)[..., None] * np.asarray(product, np.float64)
+    factor, product = floats(factor, product)
+    return np.asarray(factor[..., None] * product)
 
 
 def specular_term(factor: ArrayLike, product: ArrayLike) -> Array:
     """The factor of the highlight (...) times the product s_s ⊗ m_s (..., 3)."""
-    return np.asarray(factor, np.float64)[..., None] * np.asarray(product, np.float64)
+    factor, product = floats(factor, product)
+    return np.asarray(factor[..., None] * product)
 
 
 def ambient_term(light: ArrayLike, material: ArrayLike) -> Array:
@@ -70,7 +76,7 @@ def ambient_term(light: ArrayLike, material: ArrayLike) -> Array:
 
 def emissive_term(material: ArrayLike) -> Array:
     """m_e: what the surface sends out by itself; shape (..., 3)."""
-    return np.asarray(material, dtype=np.float64)
+    return floats(material)[0]
 
 
 def weighted_sum(
@@ -81,7 +87,6 @@ def weighted_sum(
     weights: ArrayLike = (1.0, 1.0, 1.0, 1.0),
 ) -> Array:
     """The sum of the four terms, each times its weight (a switch, or a fader); (..., 3)."""
-    w = np.asarray(weights, dtype=np.float64)
-    terms = (diffuse, specular, ambient, emissive)
-    weighted = [w[..., i, None] * np.asarray(term, np.float64) for i, term in enumerate(terms)]
+    w, *terms = floats(weights, diffuse, specular, ambient, emissive)
+    weighted = [w[..., i, None] * term for i, term in enumerate(terms)]
     return np.asarray(weighted[0] + weighted[1] + weighted[2] + weighted[3])

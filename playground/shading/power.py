@@ -10,7 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from playground.shading.vector import Array, dot
+from playground.shading.floats import Array, floats
+from playground.shading.vector import dot
 
 
 def power(base: ArrayLike, exponent: ArrayLike) -> Array:
@@ -18,8 +19,10 @@ def power(base: ArrayLike, exponent: ArrayLike) -> Array:
 
     base and exponent broadcast. The convention max(x, 0)^0 = 1, 0 included, keeps a
     shininess of 0 the limit of small shininess; GLSL leaves pow(0, 0) undefined.
+    Error: 8 + 5 |log2 of the result| roundings, relative. Source: IEEE 754-2019, section 9.2.1,
+    for the power 0.
     """
-    base, exponent = np.asarray(base, np.float64), np.asarray(exponent, np.float64)
+    base, exponent = floats(base, exponent)
     with np.errstate(under="ignore"):
         return np.asarray(np.power(np.maximum(base, 0.0), exponent))
 
@@ -31,9 +34,9 @@ def power_below_one(cosine: ArrayLike, gap: ArrayLike, exponent: ArrayLike) -> A
     Source: log1p, as in Higham, Accuracy and Stability of Numerical Algorithms, 2002,
     section 1.14.
     """
-    cosine, gap, exponent = (np.asarray(x, np.float64) for x in (cosine, gap, exponent))
+    cosine, gap, exponent = floats(cosine, gap, exponent)
     near = gap < 0.5
-    with np.errstate(under="ignore"):
+    with np.errstate(under="ignore", over="ignore"):  # exponent · log beyond float16 is −∞: 0
         value = np.exp(exponent * np.log1p(-np.where(near, gap, 0.0)))
     return np.asarray(np.where(near, value, power(np.where(near, 1.0, cosine), exponent)))
 
@@ -44,8 +47,11 @@ def lobe(direction: ArrayLike, axis: ArrayLike, shininess: ArrayLike) -> Array:
     With d = direction − axis the cosine is 1 − d·d/2. The rounding of d·d/2 is
     relative to it, that of the dot product is relative to 1: at shininess 10^6 this
     is the difference between 6e-5 and 0.22 in float32. Far from the axis it is the dot
-    product that has no cancellation.
+    product that has no cancellation. Error: that of an angle off by 16 roundings, for vectors that
+    `vector.unit` made. Source: Sterbenz, Floating-Point Computation, 1974: the difference of
+    numbers within a factor of 2 is exact.
     """
-    difference = np.subtract(direction, axis, dtype=np.float64)
+    direction, axis, shininess = floats(direction, axis, shininess)
+    difference = direction - axis
     gap = 0.5 * dot(difference, difference)
     return power_below_one(dot(direction, axis), gap, shininess)

@@ -28,3 +28,11 @@ uniform vec3 spot_attenuation[SPOT_LIGHTS];
 uniform vec3 spot_axis[SPOT_LIGHTS];
 uniform vec2 spot_edge_width[SPOT_LIGHTS];
 #endif
+
+#if AREA_LIGHTS > 0
+#define AREA_CORNERS_OF_ALL (AREA_LIGHTS * AREA_CORNERS)
+uniform vec3 area_corner[AREA_CORNERS_OF_ALL];
+uniform vec3 area_diffuse[AREA_LIGHTS];
+uniform vec3 area_specular[AREA_LIGHTS];
+uniform float area_two_sided[AREA_LIGHTS];
+#endif

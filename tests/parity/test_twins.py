@@ -13,6 +13,7 @@ STEMS = sorted(path.stem for path in locate.shader("lib").glob("*.glsl"))
 # Functions with no twin, each with its reason.
 NUMPY_ALONE = {
     "vector": {
+        "cross": "a GLSL built-in",
         "dot": "a GLSL built-in",
         "normal_matrix": "needed once per object, computed on the CPU",
         "orientation": "needed once per object, computed on the CPU",
@@ -22,6 +23,13 @@ NUMPY_ALONE = {
         "emissive_term": "the same at every point",
         "weighted_sum": "the weights are folded into the products, once per surface, on the CPU",
     },
+    "polygon": {
+        "seen_edges": "GLSL goes from edge to edge",
+        "cut_edges": "cut_edge for all edges at once",
+        "extent": "a part of sighted",
+        "area_samples": "GLSL goes from point to point",
+        "chosen_vectors": "GLSL has no masks",
+    },
     "light": {"cone": "needed once per light, computed on the CPU"},
     "display": {
         "display_colour": "present.glsl strings the same steps together, specialised",
@@ -29,7 +37,22 @@ NUMPY_ALONE = {
     },
 }
 GLSL_ALONE = {
+    "ray": {"next_float": "NumPy has nextafter"},
     "vector": {"unit_moderate": "float64 needs no second form"},
+    "arc": {
+        "angle_of": "NumPy has arctan2",
+        "missing_power": "NumPy has expm1 and log1p",
+        "lobe_slope": "a part of lobe_arc",
+    },
+    "polygon": {
+        "sighted": "NumPy takes all corners at once",
+        "cut_edge": "cut_edges, one edge at a time",
+    },
+    "area_light": {
+        "small_lobe": "a part of the lobe's integral",
+        "lobe_edge": "a part of the lobe's integral",
+        "lobe_misses": "a shortcut; NumPy computes the zero",
+    },
     "power": {
         "log2_near_one": "NumPy has log1p",
         "power_below_one_whole": "a faster way to power_below_one, tested against that",

@@ -181,7 +181,8 @@ def test_a_vertex_has_the_same_colour_in_both_shadings():
     surface = everything[0]
     (diffuse, rest), _ = colours_before(surface, view, setup.settings)
     position = surface.mesh.positions[7] * view.scale + view.relative((0, 0, 0))
-    alone = shade(surface, view, setup.settings, position, vector.unit(surface.mesh.normals[7]))
+    normal = vector.unit(surface.mesh.normals[7].astype(np.float64))
+    alone = shade(surface, view, setup.settings, position, normal)
     np.testing.assert_allclose(diffuse[7] + rest[7], alone[0] + alone[1], rtol=1e-12)
 
 

@@ -63,6 +63,7 @@ def test_every_knob_refuses_what_it_must(declared):
             "names": [["no such name"], 3],
             "colour": [(1, 2), (1, 2, -1), (1, 2, float("nan")), "red", 7],
             "vector": [(1, 2), (1, 2, "x"), (1, 2, float("inf")), 7],
+            "vertices": [7, "0,0,0", [(0, 0, 0)] * 2, [(0, 0, 0)] * 17, [(0, 0)] * 3],
             "text": [3, None],
         }[knob.kind]
         for value in bad:

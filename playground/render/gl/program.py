@@ -23,6 +23,7 @@ STAGES = {
     "flat": ("flat.vert", "colour.frag"),
 }
 LARGEST_WHOLE = 32  # exponents up to here are cheaper by squaring, and off by 2e-6 at most
+BRIGHTEST_IN = {"float16": "65504.0", "float64": f"{BRIGHTEST}lf"}
 INTERPOLATION = {"per-fragment": "smooth", "per-vertex": "smooth", "flat": "flat"}
 
 
@@ -47,16 +48,19 @@ class Program:
         self._arrays: dict[int, tuple[MeshBuffers, moderngl.VertexArray]] = {}
 
     def write(self, values: Mapping[str, Any]) -> None:
-        """Upload values as float32, matrices as NumPy writes them, row by row.
+        """Upload values as the program's numbers, matrices as NumPy writes them, row by row.
 
         What the program does not use is skipped.
         """
         for name, value in values.items():
             uniform = self._uniforms.get(name)
             if uniform is not None:
-                array = np.asarray(value, dtype=np.float32)
-                if getattr(uniform, "matrix", False):  # missing from the stubs
+                double = str(getattr(uniform, "fmt", "")).endswith("d")  # missing from the stubs
+                array = np.asarray(value, dtype=np.float64 if double else np.float32)
+                if getattr(uniform, "matrix", False):
                     array = array.T
+                elif array.ndim == 2:  # drivers drop elements at the end that count for nothing
+                    array = array[: uniform.array_length]
                 uniform.write(array.tobytes())
 
     def array(self, buffers: MeshBuffers) -> moderngl.VertexArray:
@@ -78,21 +82,45 @@ class Program:
         self.gl.release()
 
 
+def check_precision(context: moderngl.Context, needs: Needs) -> None:
+    """Raise an error if the driver, or a light's shader, does not compute in this precision."""
+    if needs.precision != "float64":
+        return
+    if context.version_code < 410:
+        raise PlaygroundError(
+            "this driver has no float64 arithmetic",
+            got=f"OpenGL {context.version_code / 100:.1f}",
+            allowed="OpenGL 4.1 or newer",
+            fix="Use --renderer numpy, or precision float32.",
+        )
+    if needs.area_lights:
+        raise PlaygroundError(
+            "area lights have no float64 on the GPU",
+            got=f"{needs.area_lights} of them",
+            fix="Use --renderer numpy, or precision float32.",
+        )
+
+
 def check_lights(context: moderngl.Context, needs: Needs) -> None:
     """Raise an error if the lights do not fit into the uniforms that the driver offers.
 
     A directional light takes three vectors of ``interface/surface.glsl``, a point light
-    four, a spot light six; sixteen are left for everything else.
+    four, a spot light six, an area light three and its corners; sixteen are left for
+    everything else.
     """
     names = ("GL_MAX_FRAGMENT_UNIFORM_COMPONENTS", "GL_MAX_VERTEX_UNIFORM_COMPONENTS")
     room = min(int(context.info[name]) for name in names) // 4 - 16
     taken = 3 * needs.directional_lights + 4 * needs.point_lights + 6 * needs.spot_lights
+    taken += (3 + needs.area_corners) * needs.area_lights
+    taken *= 2 if needs.precision == "float64" else 1
     if taken > room:
         count = needs.directional_lights + needs.point_lights + needs.spot_lights
+        count += needs.area_lights
         raise PlaygroundError(
             "too many lights for this driver",
             got=f"{count} lights",
-            allowed=f"{room // 3} directional, {room // 4} point or {room // 6} spot lights",
+            allowed=f"{room // 3} directional, {room // 4} point, {room // 6} spot or "
+            f"{room // 7} rectangle lights",
             fix="Use --renderer numpy, which takes any number.",
         )
 
@@ -108,6 +136,12 @@ def sources_for(
     """
     defines: dict[str, object] = {**needs.defines, "BRIGHTEST": BRIGHTEST}
     defines["INTERPOLATION"] = INTERPOLATION[needs.shading]
+    if needs.marks:
+        kind = np.float16 if needs.precision == "float16" else np.float32
+        defines["SMALLEST_NORMAL"] = f"{np.finfo(kind).tiny:.8e}"
+    if needs.precision != "native":
+        vertex, fragment = _in_precision(needs, defines, overrides or {})
+        return bake(vertex, constants or {}), bake(fragment, constants or {})
     if constants and float(constants["shininess"]) in range(1, LARGEST_WHOLE + 1):
         defines["WHOLE_EXPONENT"] = int(constants["shininess"])
     vertex, fragment = (
@@ -115,6 +149,23 @@ def sources_for(
         for stage in STAGES[needs.shading]
     )
     return bake(vertex, constants or {}), bake(fragment, constants or {})
+
+
+def _in_precision(
+    needs: Needs, defines: dict[str, object], overrides: Mapping[str, str]
+) -> tuple[Source, Source]:
+    from playground.render.gl.other_precision import LIBRARIES, SHARED, in_precision
+
+    defines["BRIGHTEST"] = BRIGHTEST_IN[needs.precision]
+    libraries = (LIBRARIES[needs.precision], SHARED)
+    stages = []
+    for stage in STAGES[needs.shading]:
+        if stage == "phong.vert":  # hands positions and normals on, and shades nothing
+            stages.append(assemble(stage, defines, bugs=needs.bugs, overrides=overrides))
+            continue
+        source = assemble(stage, defines, "", needs.bugs, overrides, libraries)
+        stages.append(in_precision(source, needs.precision, overrides))
+    return stages[0], stages[1]
 
 
 def explain(log: str, sources: tuple[Source, ...]) -> str:

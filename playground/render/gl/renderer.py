@@ -14,17 +14,17 @@ from playground.render.gl import context as gl_context
 from playground.render.gl.clusters import frustum_planes, visible_runs
 from playground.render.gl.edited import Edited
 from playground.render.gl.mesh_buffers import MeshBuffers
-from playground.render.gl.program import Program, check_lights
+from playground.render.gl.program import Program, check_lights, check_precision
 from playground.render.gl.target import Target
 from playground.render.gl.uniforms import surface_uniforms, view_uniforms
 from playground.render.image import Image
 from playground.render.needs import Needs, needs
+from playground.render.shown import shown_colour
 from playground.render.surface import Surface, surfaces
 from playground.render.view import View, view_of
 from playground.scene.scene import Scene
 from playground.scene.settings import Settings
 from playground.scene.setup import Setup
-from playground.shading.display import display_colour
 
 if TYPE_CHECKING:
     import moderngl
@@ -146,7 +146,7 @@ class GLRenderer:
     def _draw_surface(self, surface: Surface, view: View, wanted: Needs, program: Program) -> None:
         import moderngl
 
-        values = view_uniforms(surface, view)
+        values = view_uniforms(surface, view, wanted.precision)
         program.write(values)
         if wanted.texture and surface.texels is not None:
             self._texture(surface.texels).use(0)
@@ -169,6 +169,7 @@ class GLRenderer:
         """The program for a surface, its colours uploaded or, once they stay, built in."""
         if self._frames < STEADY:
             if wanted not in self._programs:
+                check_precision(self._context, wanted)
                 check_lights(self._context, wanted)
                 self._programs[wanted] = self._edited.program(self._context, wanted)
             self._programs[wanted].write(surface_uniforms(surface, settings))
@@ -235,7 +236,6 @@ class GLRenderer:
 def _background(setup: Setup, codes: bool) -> tuple[float, float, float]:
     background = setup.scene.background
     if codes:
-        s = setup.settings
-        red, green, blue = display_colour(background, s.exposure, s.clamp, s.curve)
+        red, green, blue = shown_colour(background, setup.settings)
         return float(red), float(green), float(blue)
     return background

@@ -13,6 +13,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cache
+from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -76,8 +77,9 @@ def assemble(
     tail: str = "",
     bugs: tuple[str, ...] = (),
     overrides: Mapping[str, str] | None = None,
+    first: tuple[str, ...] = (),
 ) -> Source:
-    """Expand the shader file ``name`` with ``defines`` on top and ``tail`` below.
+    """Expand the shader file ``name`` with ``defines`` and files ``first`` on top, ``tail`` below.
 
     ``bugs`` are classic mistakes to make on the way, see `playground.render.gl.bugs`;
     ``overrides`` are texts that take the place of files, by the files' names.
@@ -92,7 +94,8 @@ def assemble(
     for key, value in (defines or {}).items():
         lines.append(f"#define {key} {int(value) if isinstance(value, bool) else value}")
         origin.append(("(defines)", len(lines)))
-    _expand(name, lines, origin, (), bugs, overrides or {})
+    for file in (*first, name):
+        _expand(file, lines, origin, (), bugs, overrides or {})
     for number, line in enumerate(tail.splitlines(), 1):
         lines.append(line)
         origin.append(("(tail)", number))
@@ -132,7 +135,7 @@ def _expand(
         emit(f"// from: {name}", number)
 
 
-_UNIFORM = re.compile(r"^uniform\s+(float|vec2|vec3)\s+(\w+)(\[\w+\])?;$")
+_UNIFORM = re.compile(r"^uniform\s+(float|double|d?vec[23])\s+(\w+)(\[\w+\])?;$")
 
 
 def bake(source: Source, constants: Mapping[str, Any]) -> Source:
@@ -146,14 +149,21 @@ def bake(source: Source, constants: Mapping[str, Any]) -> Source:
         found = _UNIFORM.match(line)
         if found and found.group(2) in constants:
             kind, name, array = found.groups()
-            value = np.asarray(constants[name], dtype=np.float32)
+            dtype = np.float64 if kind.startswith("d") else np.float32
+            value = np.asarray(constants[name], dtype=dtype)
             items = [_literal(kind, item) for item in (value if array else value[None])]
             literal = f"{kind}[{len(items)}]({', '.join(items)})" if array else items[0]
             lines[i] = f"const {kind} {name}{array or ''} = {literal};"
     return replace(source, text="\n".join(lines) + "\n")
 
 
-def _literal(kind: str, value: NDArray[np.float32]) -> str:
-    """A float32 or vector of them, to the bit: 9 digits tell any two apart."""
-    digits = [f"{float(x):.8e}" for x in value.reshape(-1)]
-    return digits[0] if kind == "float" else f"{kind}({', '.join(digits)})"
+def _literal(kind: str, value: NDArray[Any]) -> str:
+    """A number or vector to the bit: 9 digits tell any two float32 apart, 17 any two float64."""
+    pattern = "{:.16e}lf" if kind.startswith("d") else "{:.8e}"
+    digits = [pattern.format(x) if isfinite(x) else _not_finite(x) for x in value.flat]
+    return digits[0] if kind in ("float", "double") else f"{kind}({', '.join(digits)})"
+
+
+def _not_finite(x: float) -> str:
+    """Infinity (a number beyond the range of float16) or NaN, which GLSL cannot spell."""
+    return f"uintBitsToFloat({int(np.float32(x).view(np.uint32))}u)"

@@ -6,12 +6,24 @@ from typing import Any
 
 import numpy as np
 
+from playground.render.precision import farthest, to_type
 from playground.render.surface import Surface
 from playground.render.view import View
 from playground.scene.settings import Settings
 
+# What stays exact in any precision: where points land, and the display.
+NO_SHADING = {
+    "clip_from_object",
+    "eye_from_object",
+    "normal_from_object",
+    "camera_from_world",
+    "world_unit",
+    "exposure",
+    "area_corner",
+}
 
-def view_uniforms(surface: Surface, view: View) -> dict[str, Any]:
+
+def view_uniforms(surface: Surface, view: View, precision: str = "native") -> dict[str, Any]:
     """What moves with the camera: ``interface/transform.glsl``, and where lights stand."""
     eye_from_object = view.eye_from_object(surface)
     clip_from_object = view.clip_from_eye @ eye_from_object
@@ -27,10 +39,16 @@ def view_uniforms(surface: Surface, view: View) -> dict[str, Any]:
         lights = [light for light in surface.lights if light.kind == kind]
         if lights:
             standing = [(x.position, x.attenuation) for x in lights if x.position is not None]
-            places = [view.light_place(position, k) for position, k in standing]
+            limit = farthest(np.float16 if precision == "float16" else np.float32)
+            places = [view.light_place(position, k, limit) for position, k in standing]
             values[f"{kind}_position"] = [position for position, _ in places]
             values[f"{kind}_attenuation"] = [attenuation for _, attenuation in places]
-    return values
+    areas = [view.corners(x.corners) for x in surface.lights if x.corners is not None]
+    if areas:  # all with as many corners: the last one repeated adds edges without length
+        most = max(len(corners) for corners in areas)
+        padded = [np.pad(x, ((0, most - len(x)), (0, 0)), "edge") for x in areas]
+        values["area_corner"] = np.concatenate(padded)
+    return _in_precision(values, precision)
 
 
 def surface_uniforms(surface: Surface, settings: Settings) -> dict[str, Any]:
@@ -46,7 +64,19 @@ def surface_uniforms(surface: Surface, settings: Settings) -> dict[str, Any]:
         values[f"{kind}_specular"] = np.array([light.specular for light in lights])
         if kind == "directional":
             values["directional_to_light"] = np.array([light.to_light for light in lights])
+        if kind == "area":
+            values["area_two_sided"] = np.array([[float(light.two_sided)] for light in lights])
         if kind == "spot":
             values["spot_axis"] = np.array([light.axis for light in lights])
             values["spot_edge_width"] = np.array([light.edge_width for light in lights])
-    return values
+    return _in_precision(values, settings.precision)
+
+
+def _in_precision(values: dict[str, Any], precision: str) -> dict[str, Any]:
+    """Lights and colours rounded to float16 for it; the GPU does the rest by their types."""
+    if precision != "float16":
+        return values
+    return {
+        name: value if name in NO_SHADING else to_type(value, np.float16)
+        for name, value in values.items()
+    }

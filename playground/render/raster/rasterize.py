@@ -4,6 +4,10 @@ The frame is a *visibility buffer*: no colour, only who is seen where. Whatever 
 needs at a pixel (position, normal, colour, texture coordinates) is
 ``sum(weights * attribute[faces[triangle]])``, perspective-correct, so that the same frame serves
 every attribute and every formula.
+
+References
+----------
+Burns & Hunt, The visibility buffer: a cache-friendly approach to deferred shading, JCGT 2(2), 2013.
 """
 
 from __future__ import annotations

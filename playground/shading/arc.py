@@ -1,0 +1,100 @@
+"""One edge of a polygon as a point sees it: an arc of a great circle, and integrals along it.
+
+Twin: shaders/lib/arc.glsl. An arc runs from the direction of ``a`` to that of ``b``, both
+relative to the point and of any length, (..., 3). `playground.shading.area_light` sums arcs.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from playground.shading.vector import Array, cross, dot
+
+NEGLIGIBLE = 40.0  # e^-40 = 4e-18: no more of the lobe counts in float64
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(36)
+
+
+def lambert_arc(a: ArrayLike, b: ArrayLike, normal: ArrayLike) -> Array:
+    """N·(a × b)/|a × b| · angle(a, b): the share of an edge in Lambert's formula, times 2π.
+
+    a × b is formed as a × (b − a), in which nothing cancels for neighbouring corners, and the
+    angle by atan2: acos(a·b) would lose half of the digits. An edge without length adds 0.
+    """
+    m = cross(a, np.subtract(b, a))
+    norm = np.sqrt(dot(m, m))
+    tilt = dot(m, normal) / np.where(norm > 0.0, norm, 1.0)
+    return np.asarray(tilt * np.arctan2(norm, dot(a, b)))
+
+
+def turn_arc(a: ArrayLike, b: ArrayLike, axis: ArrayLike) -> Array:
+    """The angle from a to b around the axis, −π to π, shape (...)."""
+    m = cross(a, np.subtract(b, a))
+    return np.asarray(np.arctan2(dot(m, axis), dot(a, b) - dot(a, axis) * dot(b, axis)))
+
+
+def lobe_arc(a: ArrayLike, b: ArrayLike, axis: ArrayLike, power: float) -> Array:
+    """∫ (1 − c^power) dφ along the arc from a to b, c > 0 the cosine to the axis, φ around it.
+
+    The arc's great circle, of normal m, comes within h = sin(angle) = axis·m of the axis, and with
+    τ = tan of the arc from there, c² = (1 − h²)/(1 + τ²) and dφ = h/(h² + τ²) dτ. With
+    τ = 2wx/(1 − x²), w the width of the peak, the integrand is smooth in x; Gauss's points take
+    the part where c^power counts, and the rest is an angle.
+    """
+    a, b, axis = (np.asarray(x, np.float64) for x in (a, b, axis))
+    m = cross(a, b - a)
+    length = np.sqrt(dot(m, m))
+    m = m / np.where(length > 0.0, length, 1.0)[..., None]
+    h, ahead = dot(m, axis), cross(m, axis)
+    squared = dot(ahead, ahead)  # 1 − h²
+    with np.errstate(over="ignore"):
+        reach = squared * np.exp(np.minimum(2.0 * NEGLIGIBLE / power, 600.0)) - 1.0  # τ²
+    peaked = (reach > 0.0) & (squared > 1e-24) & (length > 0.0)
+    w = np.sqrt((h * h + 8.0 / power) / (1.0 + 8.0 / power))
+    far = np.sqrt(np.where(peaked, reach, 0.0))
+    limit = np.where(peaked, far / (w + np.sqrt(w * w + far * far)), 0.0)
+
+    # The ends as x, cut to where the lobe counts, and the angles beyond.
+    (xa, ya, za), (xb, yb, zb) = (_place(p, ahead, axis, w) for p in (a, b))
+    ca, cb = np.clip(xa, -limit, limit), np.clip(xb, -limit, limit)
+    ends = [(2.0 * w * c, (1.0 - c) * (1.0 + c)) for c in (ca, cb)]
+    beyond = np.where(ca != xa, _angle(h, (ya, za), ends[0]), 0.0)
+    beyond = beyond + np.where(cb != xb, _angle(h, ends[1], (yb, zb)), 0.0)
+    inside = np.zeros(beyond.shape)
+    count = peaked & (cb > ca)
+    if count.any():
+        inside[count] = _gauss(h[count], w[count], ca[count], cb[count], power)
+    return np.where(peaked, inside + beyond, turn_arc(a, b, axis))
+
+
+def _place(p: Array, ahead: Array, axis: Array, w: Array) -> tuple[Array, Array, Array]:
+    """Where a point lies on its arc: x, and its coordinates (y, z) with τ = y/z."""
+    y, z = dot(p, ahead), np.maximum(dot(p, axis), 0.0)
+    below = w * z + np.sqrt((w * z) ** 2 + y * y)
+    return y / np.where(below > 0.0, below, 1.0), y, z
+
+
+def _angle(h: Array, a: tuple[Array, Array], b: tuple[Array, Array]) -> Array:
+    """The angle φ from a to b around the axis, both given as (y, z)."""
+    (ya, za), (yb, zb) = a, b
+    return np.asarray(np.arctan2(h * (yb * za - ya * zb), h * h * za * zb + ya * yb))
+
+
+def _gauss(h: Array, w: Array, xa: Array, xb: Array, power: float) -> Array:
+    """∫ (1 − c^power) dφ for x from xa to xb; all of shape (M,)."""
+    h, w = h[:, None], w[:, None]
+    y = NODES
+    stretch = WEIGHTS
+    if power < 6.0:  # c^power has a branch point at c = 0, x = ±1: crowd the points there
+        y = (15.0 * NODES - 10.0 * NODES**3 + 3.0 * NODES**5) / 8.0
+        stretch = WEIGHTS * 15.0 / 8.0 * (1.0 - NODES**2) ** 2
+    half = 0.5 * (xb - xa)[:, None]
+    x = 0.5 * (xa + xb)[:, None] + half * y
+    deep = ((1.0 - x) * (1.0 + x)) ** 2
+    far = 4.0 * w * w * x * x  # τ² = far/deep
+    near = h * h * deep + far
+    gap = np.minimum(near / (deep + far), 1.0 - 1e-16)  # 1 − c²
+    with np.errstate(under="ignore"):
+        missing = -np.expm1(0.5 * power * np.log1p(-gap))
+    slope = 2.0 * h / w * (w * w * deep + far) / (np.where(near > 0.0, near, 1.0) * (1.0 + x * x))
+    return np.asarray(np.sum(stretch * missing * slope, axis=-1) * half[:, 0])

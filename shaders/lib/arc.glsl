@@ -1,0 +1,97 @@
+// One edge of a polygon as a point sees it: an arc of a great circle, and integrals along it.
+// Twin: playground/shading/arc.py. An arc runs from the direction of a to that of b, both relative
+// to the point and of any length.
+#include "lib/power.glsl"
+
+// atan(y, x), good to 2e-7: drivers may err by 2e-5. The ratio comes below tan(π/8), where
+// a polynomial takes over (Moshier, Cephes Mathematical Library, atanf, 1989).
+float angle_of(float y, float x) {
+    float small = min(abs(x), abs(y)), large = max(abs(x), abs(y));
+    bool steep = small > 0.41421356 * large;
+    float t = steep ? (small - large) / (small + large) : small / (large > 0.0 ? large : 1.0);
+    float z = t * t;
+    float angle = t + t * z * (-0.333329491539 + z * (0.199777106478 + z * (-0.138776856032 + z * 0.0805374449538)));
+    angle = steep ? angle + 0.785398163397 : angle;
+    angle = abs(y) > abs(x) ? 1.57079632679 - angle : angle;
+    angle = x < 0.0 ? 3.14159265359 - angle : angle;
+    return y < 0.0 ? -angle : angle;
+}
+
+// N·(a × b)/|a × b| · angle(a, b): the share of an edge in Lambert's formula, times 2π. In
+// a × (b − a) nothing cancels for neighbouring corners. An edge without length adds 0.
+float lambert_arc(vec3 a, vec3 b, vec3 normal) {
+    vec3 m = cross(a, b - a);
+    float norm = sqrt(dot(m, m));
+    return dot(m, normal) / (norm > 0.0 ? norm : 1.0) * angle_of(norm, dot(a, b));
+}
+
+// The angle from a to b around the axis, −π to π.
+float turn_arc(vec3 a, vec3 b, vec3 axis) {
+    return angle_of(dot(cross(a, b - a), axis), dot(a, b) - dot(a, axis) * dot(b, axis));
+}
+
+// 1 − c^power for c² = 1 − gap: near 0 by the series of 1 − e^y, in which nothing cancels.
+float missing_power(float gap, float power) {
+    float y = 0.346573590280 * power * log2_near_one(1.0 - gap, gap);
+    float series = -y * (1.0 + y * (0.5 + y * (0.166666667 + y * (0.0416666667 + y * (0.00833333333 + y * 0.00138888889)))));
+    return y > -0.5 ? series : 1.0 - exp2(1.44269504089 * y);
+}
+
+// The slope of the integral below at x: (1 − c^power) dφ/dx.
+float lobe_slope(float x, float h, float w, float power) {
+    float deep = (1.0 - x) * (1.0 + x);
+    deep *= deep;
+    float far = 4.0 * w * w * x * x;
+    float near = h * h * deep + far;
+    float gap = min(near / (deep + far), 1.0);
+    return missing_power(gap, power) * (w * w * deep + far) / (max(near, 1e-37) * (1.0 + x * x));
+}
+
+// Ten points of Gauss, of which half is given: they lie symmetrically.
+const float ARC_NODES[5] = float[5](0.148874338982, 0.433395394129, 0.679409568299, 0.865063366689, 0.973906528517);
+const float ARC_WEIGHTS[5] = float[5](0.295524224715, 0.269266719310, 0.219086362516, 0.149451349151, 0.0666713443087);
+
+// ∫ (1 − c^power) dφ along the arc, c > 0 the cosine to the axis, φ the angle around it.
+//
+// The arc's great circle, of normal m, comes within h = axis·m of the axis, and with τ = tan of
+// the arc from there, c² = (1 − h²)/(1 + τ²) and dφ = h/(h² + τ²) dτ. With τ = 2wx/(1 − x²), w the
+// width of the peak, the integrand is smooth in x. Gauss's points take the part where
+// c^power counts in float32, above e^-17; the rest is an angle.
+float lobe_arc(vec3 a, vec3 b, vec3 axis, float power) {
+    vec3 m = cross(a, b - a);
+    float squared = dot(m, m);
+    m *= inversesqrt(max(squared, 1e-37));
+    float h = dot(m, axis);
+    vec3 ahead = cross(m, axis);
+    float q = dot(ahead, ahead);
+    float reach = q * exp(min(34.0 / power, 80.0)) - 1.0;
+    bool round = squared <= 0.0 || reach <= 0.0 || q < 1e-10;
+
+    // The ends as x, cut to where the lobe counts, and the angles beyond.
+    float width = 8.0 / power;
+    float w = sqrt((h * h + width) / (1.0 + width));
+    float far = sqrt(max(reach, 0.0));
+    float limit = far / (w + sqrt(w * w + far * far));
+    float ya = dot(a, ahead), za = max(dot(a, axis), 0.0);
+    float yb = dot(b, ahead), zb = max(dot(b, axis), 0.0);
+    float xa = ya / max(w * za + sqrt(w * w * za * za + ya * ya), 1e-37);
+    float xb = yb / max(w * zb + sqrt(w * w * zb * zb + yb * yb), 1e-37);
+    float start = clamp(xa, -limit, limit), end = clamp(xb, -limit, limit);
+    float total = 0.0;
+    if (start != xa) {
+        float y = 2.0 * w * start, z = (1.0 - start) * (1.0 + start);
+        total += angle_of(h * (y * za - ya * z), h * h * za * z + ya * y);
+    }
+    if (end != xb) {
+        float y = 2.0 * w * end, z = (1.0 - end) * (1.0 + end);
+        total += angle_of(h * (yb * z - y * zb), h * h * z * zb + y * yb);
+    }
+    float middle = 0.5 * (start + end), half_width = 0.5 * (end - start), sum = 0.0;
+    int count = end > start && !round ? 5 : 0;
+    for (int i = 0; i < count; ++i) {
+        float away = half_width * ARC_NODES[i];
+        sum += ARC_WEIGHTS[i] * (lobe_slope(middle - away, h, w, power) + lobe_slope(middle + away, h, w, power));
+    }
+    total += 2.0 * h / w * half_width * sum;
+    return round ? turn_arc(a, b, axis) : total;
+}
