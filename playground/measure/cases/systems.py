@@ -1,0 +1,80 @@
+"""Every kind of case by its name: who solves it, or why nobody does."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from playground.measure.cases import display, light, place, raster, rays, shading
+
+Solve = Callable[[dict[str, Any], Any], dict[str, Any]]
+
+
+@dataclass(frozen=True)
+class System:
+    """A kind of case: its solver, or why it has none; whether it never runs on the GPU."""
+
+    solve: Solve | None = None
+    missing: str = ""
+    cpu: bool = False
+
+
+def _waiting(reason: str, *names: str) -> dict[str, System]:
+    return {name: System(missing=reason) for name in names}
+
+
+SYSTEMS: dict[str, System] = {
+    "phong_pow": System(shading.phong_pow),
+    "phong_lobe": System(shading.phong_lobe),
+    "reflect": System(shading.reflect),
+    "phong_shade": System(shading.phong_shade),
+    "pervertex_vs_fragment": System(shading.pervertex_vs_fragment),
+    "normal_interp": System(place.normal_interp),
+    "normal_matrix": System(place.normal_matrix_case),
+    "camera_relative": System(place.camera_relative),
+    "attenuation": System(light.attenuation),
+    "spot_cone": System(light.spot_cone),
+    "polygon_form_factor": System(light.polygon_form_factor),
+    "phong_lobe_polygon": System(light.phong_lobe_polygon),
+    "raster_coverage": System(raster.raster_coverage, cpu=True),
+    "perspective_interp": System(raster.perspective_interp, cpu=True),
+    "near_clip": System(raster.near_clip, cpu=True),
+    "srgb": System(display.srgb),
+    "lightmap_bilinear": System(display.lightmap_bilinear),
+    "ray_sphere": System(rays.ray_sphere),
+    "ray_triangle": System(rays.ray_triangle),
+    "watertight_fan": System(rays.watertight_fan),
+    "ray_box": System(rays.ray_box),
+    "ray_offset": System(rays.ray_offset),
+    "refract": System(rays.refract),
+    "depth_reversed_z": System(
+        missing="depth runs from -w to w as OpenGL has it, where reversing gains no digit"
+    ),
+    **_waiting(
+        "no ray tracer yet",
+        "fresnel_table",
+        "slab",
+        "glass_ball",
+        "nested_dielectrics",
+        "mirror_recursion",
+    ),
+    **_waiting("a torus is a mesh here: no ray meets its equation", "ray_torus"),
+    **_waiting(
+        "no form factors yet",
+        "form_factor_kernel",
+        "form_factor_discs",
+        "form_factor_element_disc",
+        "form_factor_element_sphere",
+        "form_factor_sphere_rect",
+        "form_factor_inside_sphere",
+        "form_factor_concentric",
+        "form_factor_strips",
+        "form_factor_box",
+        "form_factor_pair",
+        "hemicube_pixel",
+        "hemicube_sum",
+    ),
+    **_waiting("no radiosity yet", "radiosity_furnace", "radiosity_solve", "radiosity_enclosure"),
+    **_waiting("no lightmap baking yet", "lightmap_dilate", "lightmap_bleed"),
+}
