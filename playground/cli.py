@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 PROGRAM = "playground"
-COMMANDS = ("render", "compare", "explain", "measure", "doctor")
+COMMANDS = ("render", "compare", "explain", "measure", "check", "doctor")
 TOO_LARGE = PlaygroundError(
     "the picture, or the model, is too large for this machine's memory",
     fix="Choose a smaller --size.",
@@ -39,6 +39,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if not words or (words[0] not in COMMANDS and not words[0].startswith("-")):
             words = ["window", *words]
+        if words[:2] == ["measure", "needs"]:  # a command of its own: it takes a setup
+            words = words[1:]
         options = _parser(words).parse_args(words)
         status = int(options.run(options) or 0)
         if sys.stdout is not None:
@@ -84,7 +86,16 @@ def _parser(arguments: Sequence[str] = ()) -> argparse.ArgumentParser:
         prog=PROGRAM, dest="command", required=True, metavar="COMMAND"
     )
 
-    for add in (_add_window, _add_render, _add_compare, _add_explain, _add_measure, _add_doctor):
+    for add in (
+        _add_window,
+        _add_render,
+        _add_compare,
+        _add_explain,
+        _add_measure,
+        _add_needs,
+        _add_check,
+        _add_doctor,
+    ):
         add(subparsers)
     return parser
 
@@ -130,14 +141,51 @@ def _add_explain(subparsers: Subparsers) -> None:
 
 
 def _add_measure(subparsers: Subparsers) -> None:
-    measure = subparsers.add_parser("measure", help="speed against error")
-    measure.add_argument(
-        "experiments", nargs="*", metavar="EXPERIMENT", help="frames, first-image (all if none)"
+    measure = subparsers.add_parser(
+        "measure",
+        help="speed against error",
+        epilog="'measure needs SETUP' tells what a setup could do without; see 'measure needs -h'.",
     )
-    measure.add_argument("-o", "--output", type=Path, help="folder for the tables")
-    measure.add_argument("--rounds", type=int, default=9, help="interleaved rounds")
+    measure.add_argument(
+        "experiments",
+        nargs="*",
+        metavar="EXPERIMENT",
+        help="all if none; an unknown one is answered with the list",
+    )
+    measure.add_argument("-o", "--output", type=Path, help="folder for the report")
+    measure.add_argument("--rounds", type=int, help="interleaved rounds: 9, or 6 if quick")
+    measure.add_argument("--quick", action="store_true", help="a first look in under a minute")
+    measure.add_argument("--fresh", action="store_true", help="forget what the folder holds")
     measure.add_argument("--json", action="store_true", help="one JSON document, nothing else")
     measure.set_defaults(run=commands.measure)
+
+
+def _add_needs(subparsers: Subparsers) -> None:
+    needs = subparsers.add_parser(
+        "needs",
+        prog=f"{PROGRAM} measure needs",
+        description="What each part of a setup contributes and costs, and what could be dropped.",
+    )
+    needs.add_argument("setup", metavar="SETUP")
+    needs.add_argument(
+        "--budget", type=_budget, default=0.01, help="the largest error, 0.01 unless given"
+    )
+    needs.add_argument("--metric", default="rmse", help="of the error: rmse, flip or max")
+    needs.add_argument("-o", "--output", type=Path, help="the proposal: a .toml, or a folder")
+    needs.add_argument("--json", action="store_true", help="one JSON document, nothing else")
+    _picture_options(needs)
+    needs.set_defaults(run=commands.needs)
+
+
+def _add_check(subparsers: Subparsers) -> None:
+    check = subparsers.add_parser("check", help="numeric cases against the formulas")
+    check.add_argument("cases", type=Path, metavar="CASES", help="a .json file of cases")
+    check.add_argument("--backend", default="numpy", help="numpy (float64) or gl (float32)")
+    check.add_argument(
+        "--system", nargs="+", action="extend", default=[], metavar="NAME", help="only these"
+    )
+    check.add_argument("--json", action="store_true", help="one JSON document, nothing else")
+    check.set_defaults(run=commands.check)
 
 
 def _add_doctor(subparsers: Subparsers) -> None:
@@ -156,6 +204,13 @@ def _setup_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--shading", help="flat, per-vertex or per-fragment")
     parser.add_argument("--terms", help="comma list of diffuse, specular, ambient, emissive")
     parser.add_argument("--shininess", help="exponent of the highlight, for every object")
+    parser.add_argument("--precision", help="of the shading: native, float16, float32, float64")
+    parser.add_argument(
+        "--marks",
+        action="store_const",
+        const="nan,infinite,negative,denormal,clamped",
+        help="false colours for NaN, infinite, negative, denormal and clamped pixels",
+    )
     parser.add_argument(
         "--light",
         action="append",
@@ -183,6 +238,13 @@ def _tolerance(text: str) -> float:
         if 0.0 <= (value := float(text)) < math.inf:
             return value
     raise argparse.ArgumentTypeError(f"'{text}' is no tolerance; write a number such as 0.01")
+
+
+def _budget(text: str) -> float:
+    with suppress(ValueError):
+        if 0.0 < (value := float(text)) < math.inf:
+            return value
+    raise argparse.ArgumentTypeError(f"'{text}' is no error budget; write a number such as 0.01")
 
 
 def _library(arguments: Sequence[str]) -> list[str]:

@@ -35,7 +35,7 @@ def _setup(options: Namespace, name: str | None = None) -> Setup:
     setup = load(options.setup if name is None else name)
     if options.light:
         setup = setup.with_(lights=tuple(parse_light(text) for text in options.light))
-    for key in ("shading", "terms", "shininess"):
+    for key in ("shading", "terms", "shininess", "precision", "marks"):
         if getattr(options, key) is not None:
             setup = assign(setup, f"{key}={getattr(options, key)}")
     for assignment in options.set:
@@ -48,7 +48,7 @@ def window(options: Namespace) -> int:
     from playground.gui import open_window
 
     said = (options.setup, options.light, options.shading, options.terms, options.shininess)
-    again = not any(said) and not options.set
+    again = not any((*said, options.precision, options.marks, options.set))
     return open_window(_setup(options, options.setup or "teapot"), again)
 
 
@@ -61,12 +61,16 @@ def render(options: Namespace) -> int:
     check_method(options.method)
     if options.sheet is not None:
         return _sheet(options, suffix)
-    if suffix == ".png":
-        renderer = _save_png(options, _setup(options))
+    setup = _setup(options)
+    if suffix == ".png" and not setup.settings.marks:
+        renderer = _save_png(options, setup)
     else:
-        image = _picture(options, _setup(options))
+        image = _picture(options, setup)
         image.save(options.output)
         renderer = image.renderer
+        if setup.settings.marks:
+            counts = image.marks()
+            _say("pixels: " + ", ".join(f"{counts[kind]} {kind}" for kind in setup.settings.marks))
     width, height = options.size or DEFAULT_SIZE
     _say(f"{options.output}  {width}x{height}  {renderer}")
     _hint(options.renderer, renderer)
@@ -168,10 +172,39 @@ def explain(options: Namespace) -> int:
 
 
 def measure(options: Namespace) -> int:
-    """Run experiments, print and write their tables."""
-    from playground.measure.experiments import run_experiments
+    """Run experiments, print their tables, write the report; status 130 if stopped."""
+    from playground.measure.session import run_experiments
 
-    return run_experiments(options.experiments, options.output, options.rounds, options.json)
+    return run_experiments(
+        options.experiments,
+        options.output,
+        options.rounds,
+        options.json,
+        options.quick,
+        options.fresh,
+    )
+
+
+def needs(options: Namespace) -> int:
+    """Print what each part of a setup contributes and costs, and what to drop."""
+    from playground.measure.needs_run import run_needs
+
+    return run_needs(
+        _setup(options),
+        options.output,
+        options.json,
+        budget=options.budget,
+        metric=options.metric,
+        size=options.size or DEFAULT_SIZE,
+        renderer=options.renderer,
+    )
+
+
+def check(options: Namespace) -> int:
+    """Check numeric cases against the formulas; status 1 if one fails."""
+    from playground.measure.check import run_check
+
+    return run_check(options.cases, options.backend, options.system, options.json)
 
 
 def doctor(options: Namespace) -> int:

@@ -7,7 +7,7 @@ the float64 reference. Per-vertex shading pops: its curve jumps where the others
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterable
+from collections.abc import Generator, Iterable, Mapping
 from dataclasses import dataclass, replace
 from math import cos, radians, sin
 from typing import Any
@@ -16,7 +16,7 @@ import numpy as np
 
 from playground.measure.metrics import LUMINANCE
 from playground.render.image import Image
-from playground.render.renderer import open_renderer
+from playground.render.renderer import Renderer, open_renderer
 from playground.scene.camera import Camera
 from playground.scene.setup import Setup
 
@@ -65,23 +65,27 @@ def scope(
     renderer : for every mode but the reference, which is float64 NumPy
     context : of a window, to draw in
     """
-    modes = tuple(modes)
     with open_renderer(size, renderer, context) as drawn, open_renderer(size, "numpy") as exact:
-        for angle in angles:
-            turned = setup.with_(camera=orbit(setup.camera, angle), samples=1)
-            found = {}
-            for mode in modes:
-                shading = "per-fragment" if mode == "reference" else mode
-                opened = exact if mode == "reference" else drawn
-                whole = opened.render(turned.with_(shading=shading))
-                highlight = opened.render(
-                    turned.with_(shading=shading, terms=("specular",), background=(0, 0, 0))
-                )
-                assert isinstance(whole, Image)
-                assert isinstance(highlight, Image)
-                mean = float(np.mean(whole.pixels.astype(np.float64) @ LUMINANCE))
-                found[mode] = Brightness(float(highlight.pixels.max()), mean)
-            yield Step(angle, found)
+        opened = {mode: exact if mode == "reference" else drawn for mode in modes}
+        yield from along(setup, angles, opened)
+
+
+def along(setup: Setup, angles: Iterable[float], opened: Mapping[str, Renderer]) -> Generator[Step]:
+    """As `scope`, with a renderer for each mode that is measured."""
+    for angle in angles:
+        turned = setup.with_(camera=orbit(setup.camera, angle), samples=1)
+        found = {}
+        for mode, renderer in opened.items():
+            shading = "per-fragment" if mode == "reference" else mode
+            whole = renderer.render(turned.with_(shading=shading))
+            highlight = renderer.render(
+                turned.with_(shading=shading, terms=("specular",), background=(0, 0, 0))
+            )
+            assert isinstance(whole, Image)
+            assert isinstance(highlight, Image)
+            mean = float(np.mean(whole.pixels.astype(np.float64) @ LUMINANCE))
+            found[mode] = Brightness(float(highlight.pixels.max()), mean)
+        yield Step(angle, found)
 
 
 def largest_jump(steps: Iterable[Step], mode: str) -> Brightness:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import playground as pg
-from playground.measure.first_image import _run
+from playground.measure.experiments.first_image import run
 from playground.measure.frames_scene import TESSELLATION, eye, frames_setup
 
 SIZE = (160, 90)
@@ -15,11 +15,11 @@ SIZE = (160, 90)
 def test_a_process_is_measured_by_itself():
     """Not by the memory of the one that started it, which has NumPy and a ballast loaded."""
     ballast = np.ones(40_000_000)
-    seconds, megabytes = _run([sys.executable, "-S", "-c", "pass"])
+    seconds, megabytes = run([sys.executable, "-S", "-c", "pass"])
     assert 0 < seconds < 30
     assert megabytes < 100 < ballast.nbytes / 2**20
     with pytest.raises(RuntimeError, match="status 3"):
-        _run([sys.executable, "-c", "raise SystemExit(3)"])
+        run([sys.executable, "-c", "raise SystemExit(3)"])
 
 
 def test_the_camera_of_the_frames_walks_a_circle():

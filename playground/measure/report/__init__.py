@@ -1,0 +1,1 @@
+"""What came of the experiments, as text, as data, as pictures and as one page."""
