@@ -1,0 +1,1 @@
+"""Ray tracing: what a ray meets, and what light comes back along it."""
