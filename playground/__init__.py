@@ -26,6 +26,7 @@ _HOMES = {
     "Object": "playground.scene.scene",
     "Mesh": "playground.scene.mesh",
     "Material": "playground.scene.material",
+    "preset": "playground.scene.presets",
     "Transform": "playground.scene.transform",
     "Camera": "playground.scene.camera",
     "Settings": "playground.scene.settings",

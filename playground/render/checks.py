@@ -11,6 +11,7 @@ from playground.errors import PlaygroundError, unknown_name
 from playground.scene.setup import Setup
 
 METHODS = ("raster", "ray-tracing", "radiosity", "lightmap")
+BUILT = ("raster", "ray-tracing")
 LARGEST_SIDE = 32768
 
 
@@ -28,9 +29,9 @@ def check_method(method: str) -> None:
     """Raise an error for a method that is unknown or not built yet."""
     if method not in METHODS:
         raise unknown_name("method", method, METHODS)
-    if method != "raster":
+    if method not in BUILT:
         raise PlaygroundError(
-            "this method is not built yet", got=method, allowed="raster", fix="Use raster."
+            "this method is not built yet", got=method, allowed=", ".join(BUILT), fix="Use raster."
         )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,30 @@ from playground.scene.settings import Settings
 from playground.scene.setup import Setup
 from playground.shading.display import code8
 from playground.shading.marks import KINDS, kinds_of
+
+
+@dataclass(frozen=True, eq=False)
+class LeftOut:
+    """What a ray tracer did not follow: per pixel the weights of the rays not shot, summed.
+
+    ``weights`` (H, W, 3): had all of those rays met light of brightness 1, the picture would be
+    brighter by this much.
+    """
+
+    weights: NDArray[np.float32]
+
+    @property
+    def mean(self) -> float:
+        """The mean over the pixels, of the channel in which it is largest."""
+        return float(self.weights.mean(axis=(0, 1), dtype=np.float64).max())
+
+    @property
+    def max(self) -> float:
+        """The largest weight of any pixel and channel."""
+        return float(self.weights.max())
+
+    def __str__(self) -> str:
+        return f"rays not followed weigh {self.mean:.2g} on average, {self.max:.2g} at most"
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,6 +55,10 @@ class Image:
         What the picture shows; a saved PNG carries it.
     renderer : str
         ``"gl"``, ``"numpy"``, or ``"file"``.
+    left_out : LeftOut, optional
+        Of a traced picture: what its cut-offs left out.
+    warnings : tuple of str
+        Of a traced picture: what it shows that its author may not expect.
     """
 
     pixels: NDArray[np.float32]
@@ -37,6 +66,8 @@ class Image:
     setup: Setup | None = None
     renderer: str = "numpy"
     notes: dict[str, str] = field(default_factory=dict)
+    left_out: LeftOut | None = None
+    warnings: tuple[str, ...] = ()
 
     @property
     def size(self) -> tuple[int, int]:
@@ -60,6 +91,17 @@ class Image:
     def codes(self) -> NDArray[np.uint8]:
         """The 8-bit codes of the picture, shape (H, W, 3)."""
         return code8(self.shown())
+
+    def into(self, out: NDArray[Any]) -> NDArray[Any]:
+        """Write the picture into an array as `Renderer.render` promises, and return it."""
+        if out.dtype == np.uint8:
+            out[..., :3] = self.codes()
+            out[..., 3] = 255
+        else:
+            out[..., :3] = self.pixels
+            if out.shape[2] == 4:
+                out[..., 3] = 1.0 if self.coverage is None else self.coverage
+        return out
 
     def save(self, path: str | Path) -> None:
         """Write .png (8-bit, with the setup inside), .exr or .npy (linear float32).

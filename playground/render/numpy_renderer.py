@@ -55,16 +55,7 @@ class NumpyRenderer:
             colour += sample / len(offsets)
             covered += drawn / len(offsets)
         image = Image(colour.astype(np.float32), covered.astype(np.float32), setup, self.name)
-        if out is None:
-            return image
-        if out.dtype == np.uint8:
-            out[..., :3] = image.codes()
-            out[..., 3] = 255
-        else:
-            out[..., :3] = image.pixels
-            if out.shape[2] == 4:
-                out[..., 3] = covered
-        return out
+        return image if out is None else image.into(out)
 
     def samples(self, setup: Setup) -> int:
         """As many samples per pixel as ``setup`` asks for."""

@@ -51,34 +51,52 @@ class Renderer(Protocol):
 
 
 def open_renderer(
-    size: tuple[int, int] = (640, 480), renderer: str = "auto", context: Any = None
+    size: tuple[int, int] = (640, 480),
+    renderer: str = "auto",
+    context: Any = None,
+    method: str = "raster",
 ) -> Renderer:
     """A renderer for pictures of ``size`` (width, height) in pixels, to use in a ``with`` block.
 
     ``renderer`` is ``"gl"``, ``"numpy"``, or ``"auto"``: gl where a driver is found (its
-    ``.name`` says which it took). ``context`` is a window's moderngl context.
+    ``.name`` says which it took). ``context`` is a window's moderngl context. ``method`` is
+    ``"raster"`` or ``"ray-tracing"``.
 
     Raises
     ------
     PlaygroundError
-        An impossible size, an unknown renderer, or ``"gl"`` without a driver.
+        An impossible size, an unknown renderer or method, or ``"gl"`` without a driver.
     """
     size = check_size(size)
+    check_method(method)
     if renderer not in RENDERERS:
         raise unknown_name("renderer", renderer, RENDERERS)
+    traced = method == "ray-tracing"
     if renderer != "numpy":
         from playground.render.gl.context import NoDriverError
 
         try:
-            from playground.render.gl.renderer import GLRenderer
-
-            return GLRenderer(size, context)
+            return _open_gl(size, context, traced)
         except NoDriverError:
             if renderer == "gl":
                 raise
+    if traced:
+        from playground.render.trace.tracer import NumpyTracer
+
+        return NumpyTracer(size)
     from playground.render.numpy_renderer import NumpyRenderer
 
     return NumpyRenderer(size)
+
+
+def _open_gl(size: tuple[int, int], context: Any, traced: bool) -> Renderer:
+    if traced:
+        from playground.render.gl.trace.tracer import GLTracer
+
+        return GLTracer(size, context)
+    from playground.render.gl.renderer import GLRenderer
+
+    return GLRenderer(size, context)
 
 
 def render(
@@ -95,8 +113,8 @@ def render(
     size : (int, int)
         Width and height in pixels.
     renderer : {"auto", "gl", "numpy"}
-    method : {"raster"}
-        Ray tracing, radiosity and lightmaps are named in the plan and not there yet.
+    method : {"raster", "ray-tracing"}
+        Radiosity and lightmaps are named in the plan and not there yet.
 
     Raises
     ------
@@ -104,8 +122,7 @@ def render(
         An unknown name, an impossible size, or ``renderer="gl"`` without a driver.
     """
     check_setup(setup)
-    check_method(method)
-    with open_renderer(size, renderer) as opened:
+    with open_renderer(size, renderer, method=method) as opened:
         image = opened.render(setup)
     assert isinstance(image, Image)
     return image

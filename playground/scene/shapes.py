@@ -11,7 +11,7 @@ from functools import lru_cache
 
 from playground.errors import PlaygroundError, unknown_name
 from playground.scene.mesh import Mesh
-from playground.scene.shapes_curved import cone, cylinder, icosphere, torus, uv_sphere
+from playground.scene.shapes_curved import cone, cylinder, disc, icosphere, torus, uv_sphere
 from playground.scene.shapes_flat import box, grid, quad
 from playground.scene.teapot import teapot
 
@@ -45,6 +45,7 @@ SHAPES: dict[str, Shape] = {
         Shape("torus", torus, 32, 3, 512, "segments around; half as many around the tube"),
         Shape("quad", quad, 1, 1, 512, "cells along each edge"),
         Shape("grid", grid, 16, 1, 512, "cells along each edge"),
+        Shape("disc", disc, 32, 3, 512, "segments around; an eighth as many rings"),
         Shape("box", box, 1, 1, 256, "cells along each edge"),
         Shape("cylinder", cylinder, 32, 3, 512, "segments around; a quarter as many rows"),
         Shape("cone", cone, 32, 3, 512, "segments around; a quarter as many rows"),

@@ -1,4 +1,4 @@
-"""Shapes with round parts: sphere, icosphere, torus, cylinder, cone.
+"""Shapes with round parts: sphere, icosphere, torus, disc, cylinder, cone.
 
 Knows their closed forms; every normal is the exact one of the smooth surface,
 evaluated in float64. Must not know the registry.
@@ -52,6 +52,18 @@ def torus(tessellation: int = 32, major_radius: float = 0.7, minor_radius: float
         tessellation,
     )
     return join([side], "torus")
+
+
+def disc(tessellation: int = 32) -> Mesh:
+    """The unit disc in the plane y = 0, facing +y; its texture is the square around it.
+
+    Parameters
+    ----------
+    tessellation : int
+        Segments around, at least 3; an eighth as many rings.
+    """
+    top = cap(1.0, tessellation)
+    return join([top._replace(positions=top.positions * (1.0, 0.0, 1.0))], "disc")
 
 
 def cylinder(tessellation: int = 32) -> Mesh:

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from playground.shading.vector import Array, cross, dot
 
 NEGLIGIBLE = 40.0  # e^-40 = 4e-18: no more of the lobe counts in float64
+AWAY = 0.5  # 1 − h² below which a great circle stays away from the axis: 45°
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(36)
 
 
@@ -28,9 +29,13 @@ def lambert_arc(a: ArrayLike, b: ArrayLike, normal: ArrayLike) -> Array:
 
 
 def turn_arc(a: ArrayLike, b: ArrayLike, axis: ArrayLike) -> Array:
-    """The angle from a to b around the axis, −π to π, shape (...)."""
+    """The angle from a to b around the axis, −π to π, shape (...).
+
+    An arc without length turns nothing, on the axis too, where a·b − (a·n)(b·n) is all rounding.
+    """
     m = cross(a, np.subtract(b, a))
-    return np.asarray(np.arctan2(dot(m, axis), dot(a, b) - dot(a, axis) * dot(b, axis)))
+    along = dot(a, b) - dot(a, axis) * dot(b, axis)
+    return np.asarray(np.where(dot(m, m) > 0.0, np.arctan2(dot(m, axis), along), 0.0))
 
 
 def lobe_arc(a: ArrayLike, b: ArrayLike, axis: ArrayLike, power: float) -> Array:
@@ -39,7 +44,9 @@ def lobe_arc(a: ArrayLike, b: ArrayLike, axis: ArrayLike, power: float) -> Array
     The arc's great circle, of normal m, comes within h = sin(angle) = axis·m of the axis, and with
     τ = tan of the arc from there, c² = (1 − h²)/(1 + τ²) and dφ = h/(h² + τ²) dτ. With
     τ = 2wx/(1 − x²), w the width of the peak, the integrand is smooth in x; Gauss's points take
-    the part where c^power counts, and the rest is an angle.
+    the part where c^power counts, and the rest is an angle. A circle that stays away from the
+    axis may run along its equator, where τ has few digits: there the whole angle counts, which the
+    ends give, less the integral of c^power, which is small.
     """
     a, b, axis = (np.asarray(x, np.float64) for x in (a, b, axis))
     m = cross(a, b - a)
@@ -49,7 +56,7 @@ def lobe_arc(a: ArrayLike, b: ArrayLike, axis: ArrayLike, power: float) -> Array
     squared = dot(ahead, ahead)  # 1 − h²
     with np.errstate(over="ignore"):
         reach = squared * np.exp(np.minimum(2.0 * NEGLIGIBLE / power, 600.0)) - 1.0  # τ²
-    peaked = (reach > 0.0) & (squared > 1e-24) & (length > 0.0)
+    peaked = (reach > 0.0) & (squared > 0.0) & (length > 0.0)
     w = np.sqrt((h * h + 8.0 / power) / (1.0 + 8.0 / power))
     far = np.sqrt(np.where(peaked, reach, 0.0))
     limit = np.where(peaked, far / (w + np.sqrt(w * w + far * far)), 0.0)
@@ -63,8 +70,10 @@ def lobe_arc(a: ArrayLike, b: ArrayLike, axis: ArrayLike, power: float) -> Array
     inside = np.zeros(beyond.shape)
     count = peaked & (cb > ca)
     if count.any():
-        inside[count] = _gauss(h[count], w[count], ca[count], cb[count], power)
-    return np.where(peaked, inside + beyond, turn_arc(a, b, axis))
+        x = (ca[count], cb[count])
+        inside[count] = _gauss(h[count], squared[count], w[count], x, power)
+    away = ~peaked | (squared < AWAY)
+    return np.where(away, turn_arc(a, b, axis) - inside, inside + beyond)
 
 
 def _place(p: Array, ahead: Array, axis: Array, w: Array) -> tuple[Array, Array, Array]:
@@ -80,21 +89,24 @@ def _angle(h: Array, a: tuple[Array, Array], b: tuple[Array, Array]) -> Array:
     return np.asarray(np.arctan2(h * (yb * za - ya * zb), h * h * za * zb + ya * yb))
 
 
-def _gauss(h: Array, w: Array, xa: Array, xb: Array, power: float) -> Array:
-    """∫ (1 − c^power) dφ for x from xa to xb; all of shape (M,)."""
-    h, w = h[:, None], w[:, None]
+def _gauss(h: Array, squared: Array, w: Array, x: tuple[Array, Array], power: float) -> Array:
+    """∫ (1 − c^power) dφ between two x, or ∫ c^power dφ of a circle away from the axis; (M,)."""
+    h, squared, w = h[:, None], squared[:, None], w[:, None]
     y = NODES
     stretch = WEIGHTS
     if power < 6.0:  # c^power has a branch point at c = 0, x = ±1: crowd the points there
         y = (15.0 * NODES - 10.0 * NODES**3 + 3.0 * NODES**5) / 8.0
         stretch = WEIGHTS * 15.0 / 8.0 * (1.0 - NODES**2) ** 2
+    xa, xb = x
     half = 0.5 * (xb - xa)[:, None]
-    x = 0.5 * (xa + xb)[:, None] + half * y
-    deep = ((1.0 - x) * (1.0 + x)) ** 2
-    far = 4.0 * w * w * x * x  # τ² = far/deep
+    at = 0.5 * (xa + xb)[:, None] + half * y
+    deep = ((1.0 - at) * (1.0 + at)) ** 2
+    far = 4.0 * w * w * at * at  # τ² = far/deep
     near = h * h * deep + far
     gap = np.minimum(near / (deep + far), 1.0 - 1e-16)  # 1 − c²
     with np.errstate(under="ignore"):
         missing = -np.expm1(0.5 * power * np.log1p(-gap))
-    slope = 2.0 * h / w * (w * w * deep + far) / (np.where(near > 0.0, near, 1.0) * (1.0 + x * x))
-    return np.asarray(np.sum(stretch * missing * slope, axis=-1) * half[:, 0])
+        present = (squared * deep / (deep + far)) ** (0.5 * power)
+    value = np.where(squared < AWAY, present, missing)
+    slope = 2.0 * h / w * (w * w * deep + far) / (np.where(near > 0.0, near, 1.0) * (1.0 + at * at))
+    return np.asarray(np.sum(stretch * value * slope, axis=-1) * half[:, 0])

@@ -41,6 +41,7 @@ from playground.shading.vector import Array, dot
 
 TINY = 0.003  # extent over distance below which the sum over the edges loses 1e-13
 TINY_LOBE = 0.01  # the same in widths of the lobe, 1/√(exponent + 1)
+STEEP = 0.02  # the same over the cosine to the axis: near its equator small powers are steep
 
 
 def form_factor(
@@ -55,9 +56,9 @@ def form_factor(
     edges = seen_edges(position, corners)
     up = np.asarray(normal, np.float64)[..., None, :]
     height = dot(edges[0], up)
-    total = np.zeros(height.shape[:-1])
-    for a, b in cut_edges(edges, up):
-        total = total - np.sum(lambert_arc(a, b, up), axis=-1) / (2.0 * np.pi)
+    ahead, joins = cut_edges(edges, up)  # N·(a × b) of a join on the horizon is its length, exactly
+    around = lambert_arc(*ahead, up) + turn_arc(*joins, up)
+    total = -np.sum(around, axis=-1) / (2.0 * np.pi)
 
     small = (extent(edges[0]) < TINY) & (height > 0.0).all(axis=-1)
     if small.any():
@@ -110,7 +111,7 @@ def _lobe(
 
     large = extent(corners)
     small = whole & (large < TINY) & (large * sqrt(power) < TINY_LOBE)
-    small = small & (dot(corners, axis) > 0.0).all(axis=-1)
+    small = small & (large < STEEP * _lowest(corners, axis))
     if small.any():
         x, outward = area_samples(corners, small)
         distance = np.sqrt(dot(x, x))
@@ -120,6 +121,13 @@ def _lobe(
             lobe = np.exp(exponent * np.log1p(-np.minimum(0.5 * dot(apart, apart), 1.0 - 1e-15)))
         total = _placed(total, small, np.sum(lobe * outward / distance**3, axis=(-2, -1)))
     return shown(total, two_sided)
+
+
+def _lowest(corners: Array, axis: Array) -> Array:
+    """The smallest cosine to the axis among the corners; 0 for one at the point itself."""
+    squared = dot(corners, corners)
+    cosine = dot(corners, axis) / np.sqrt(np.where(squared > 0.0, squared, np.inf))
+    return np.asarray(np.min(cosine, axis=-1))
 
 
 def _placed(total: Array, chosen: Array, values: Array) -> Array:

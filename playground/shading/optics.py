@@ -8,6 +8,8 @@ has no cancellation. The mirrored direction is `vector.reflection` of ``to_eye``
 
 from __future__ import annotations
 
+from math import log, log1p
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -115,6 +117,16 @@ def schlick(
     return np.asarray(np.where(total, np.ones_like(share), share))
 
 
+def schlick_either(
+    cosine_i: ArrayLike, sine_i: ArrayLike, index_i: ArrayLike, index_t: ArrayLike
+) -> Array:
+    """`schlick` from either side, shape (...): takes the angle on the side of the smaller index."""
+    cosine_i, sine_i, index_i, index_t = floats(cosine_i, sine_i, index_i, index_t)
+    cosine_t = cosine_transmitted(sine_i, index_i, index_t)
+    thin = np.where((index_i > index_t) & (cosine_t >= 0.0), cosine_t, cosine_i)
+    return schlick(thin, sine_i, index_i, index_t)
+
+
 def transmitted_share(absorption: ArrayLike, distance: ArrayLike) -> Array:
     """What a coloured medium lets through on a way, e^(−a d); shapes (..., 3), (...) -> (..., 3).
 
@@ -141,3 +153,38 @@ def plate_shift(
     )
     bent = index_t * cosine_transmitted(sine_i, index_i, index_t)
     return np.asarray(thickness * sine_i * (bent - index_i * cosine_i) / bent)
+
+
+def mirror_series(rho: ArrayLike, bounces: ArrayLike) -> Array:
+    """1 + ρ + ρ² + ... up to ρ^bounces: what is seen between two mirrors of reflectance ρ; (...).
+
+    (1 − ρ^(bounces+1)) / (1 − ρ), its numerator from log1p and expm1: for ρ near 1 a running sum
+    drifts, and a difference of two numbers near 1 has few digits. ρ from 0 to 1.
+    Source: Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 1.14.
+    """
+    rho, bounces = floats(rho, bounces)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        shown = -np.expm1((bounces + 1.0) * np.log1p(rho - 1.0)) / (1.0 - rho)
+    return np.asarray(np.where(rho == 1.0, bounces + 1.0, shown))
+
+
+def bounces_until(rho: float, missing: float) -> int:
+    """The fewest bounces after which less than the share ``missing`` of `mirror_series` lacks.
+
+    The smallest d >= 0 with ρ^(d+1) < missing, for 0 <= ρ < 1 and 0 < missing < 1.
+
+    Raises
+    ------
+    ValueError
+        ρ or missing is outside of these: no number of bounces would do.
+    """
+    if not (0.0 <= rho < 1.0 and 0.0 < missing < 1.0):
+        raise ValueError(f"no number of bounces suffices: rho {rho!r}, missing {missing!r}")
+    if rho == 0.0:
+        return 0
+    bounces = max(int(log(missing) / log1p(rho - 1.0)) - 1, 0)
+    while rho ** (bounces + 1) >= missing:
+        bounces += 1
+    while bounces > 0 and rho**bounces < missing:
+        bounces -= 1
+    return bounces

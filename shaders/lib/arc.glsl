@@ -25,9 +25,12 @@ float lambert_arc(vec3 a, vec3 b, vec3 normal) {
     return dot(m, normal) / (norm > 0.0 ? norm : 1.0) * angle_of(norm, dot(a, b));
 }
 
-// The angle from a to b around the axis, −π to π.
+// The angle from a to b around the axis, −π to π. An arc without length turns nothing, on the
+// axis too, where a·b − (a·n)(b·n) is all rounding.
 float turn_arc(vec3 a, vec3 b, vec3 axis) {
-    return angle_of(dot(cross(a, b - a), axis), dot(a, b) - dot(a, axis) * dot(b, axis));
+    vec3 m = cross(a, b - a);
+    float along = dot(a, b) - dot(a, axis) * dot(b, axis);
+    return dot(m, m) > 0.0 ? angle_of(dot(m, axis), along) : 0.0;
 }
 
 // 1 − c^power for c² = 1 − gap: near 0 by the series of 1 − e^y, in which nothing cancels.
@@ -37,14 +40,17 @@ float missing_power(float gap, float power) {
     return y > -0.5 ? series : 1.0 - exp2(1.44269504089 * y);
 }
 
-// The slope of the integral below at x: (1 − c^power) dφ/dx.
-float lobe_slope(float x, float h, float w, float power) {
+const float AWAY = 0.5;            // 1 − h² below which a great circle stays away from the axis: 45°
+
+// The slope of the integral below at x: (1 − c^power) dφ/dx, or c^power dφ/dx of a circle away.
+float lobe_slope(float x, float h, float squared, float w, float power) {
     float deep = (1.0 - x) * (1.0 + x);
     deep *= deep;
     float far = 4.0 * w * w * x * x;
-    float near = h * h * deep + far;
-    float gap = min(near / (deep + far), 1.0);
-    return missing_power(gap, power) * (w * w * deep + far) / (max(near, 1e-37) * (1.0 + x * x));
+    float near = h * h * deep + far, whole = deep + far;
+    float present = exp2(0.5 * power * log2(max(squared * deep / whole, 1e-37)));
+    float value = squared < AWAY ? present : missing_power(min(near / whole, 1.0), power);
+    return value * (w * w * deep + far) / (max(near, 1e-37) * (1.0 + x * x));
 }
 
 // Ten points of Gauss, of which half is given: they lie symmetrically.
@@ -56,7 +62,8 @@ const float ARC_WEIGHTS[5] = float[5](0.295524224715, 0.269266719310, 0.21908636
 // The arc's great circle, of normal m, comes within h = axis·m of the axis, and with τ = tan of
 // the arc from there, c² = (1 − h²)/(1 + τ²) and dφ = h/(h² + τ²) dτ. With τ = 2wx/(1 − x²), w the
 // width of the peak, the integrand is smooth in x. Gauss's points take the part where
-// c^power counts in float32, above e^-17; the rest is an angle.
+// c^power counts in float32, above e^-17; the rest is an angle. A circle away from the axis may run
+// along its equator, where τ has few digits: there the whole angle counts less ∫ c^power dφ.
 float lobe_arc(vec3 a, vec3 b, vec3 axis, float power) {
     vec3 m = cross(a, b - a);
     float squared = dot(m, m);
@@ -65,7 +72,7 @@ float lobe_arc(vec3 a, vec3 b, vec3 axis, float power) {
     vec3 ahead = cross(m, axis);
     float q = dot(ahead, ahead);
     float reach = q * exp(min(34.0 / power, 80.0)) - 1.0;
-    bool round = squared <= 0.0 || reach <= 0.0 || q < 1e-10;
+    bool round = squared <= 0.0 || reach <= 0.0 || q <= 0.0;
 
     // The ends as x, cut to where the lobe counts, and the angles beyond.
     float width = 8.0 / power;
@@ -90,8 +97,8 @@ float lobe_arc(vec3 a, vec3 b, vec3 axis, float power) {
     int count = end > start && !round ? 5 : 0;
     for (int i = 0; i < count; ++i) {
         float away = half_width * ARC_NODES[i];
-        sum += ARC_WEIGHTS[i] * (lobe_slope(middle - away, h, w, power) + lobe_slope(middle + away, h, w, power));
+        sum += ARC_WEIGHTS[i] * (lobe_slope(middle - away, h, q, w, power) + lobe_slope(middle + away, h, q, w, power));
     }
-    total += 2.0 * h / w * half_width * sum;
-    return round ? turn_arc(a, b, axis) : total;
+    float inside = 2.0 * h / w * half_width * sum;
+    return round || q < AWAY ? turn_arc(a, b, axis) - inside : total + inside;
 }

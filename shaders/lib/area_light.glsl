@@ -5,6 +5,7 @@
 
 const float TINY = 0.03;           // extent over distance below which edges lose 5e-6
 const float TINY_LOBE = 0.1;       // the same in widths of the lobe, 1/√(exponent + 1)
+const float STEEP = 0.1;           // extent over height above the equator, where powers are steep
 
 // F = 1/π ∫ cos θ dω over the part of the polygon above the surface: 0 to 1. What does not count
 // is left out by loops of length 0: llvmpipe walks both sides of an if, but jumps out of loops.
@@ -35,7 +36,7 @@ float form_factor(vec3 position, vec3 normal, vec3 corners[AREA_CORNERS], bool t
         vec3 a = before, b = corners[k] - position;
         before = b;
         cut_edge(a, b, normal, cut, anchor, join_a, join_b);
-        total -= lambert_arc(a, b, normal) + lambert_arc(join_a, join_b, normal);
+        total -= lambert_arc(a, b, normal) + turn_arc(join_a, join_b, normal);
     }
     return shown(0.159154943 * total, two_sided);
 }
@@ -84,7 +85,9 @@ bool lobe_misses(vec3 position, vec3 axis, vec3 corners[AREA_CORNERS], float exp
 float lobe_integral(vec3 position, vec3 axis, vec3 corners[AREA_CORNERS], float exponent, bool two_sided) {
     vec3 seen = sighted(position, axis, corners);
     float power = exponent + 1.0;
-    bool small = seen.x > 0.0 && seen.z < TINY * TINY && seen.z * power < TINY_LOBE * TINY_LOBE;
+    vec3 first = corners[0] - position;
+    bool slow = seen.x > 0.0 && seen.z * dot(first, first) < STEEP * STEEP * seen.x * seen.x;
+    bool small = slow && seen.z < TINY * TINY && seen.z * power < TINY_LOBE * TINY_LOBE;
     float total = power * small_lobe(position, axis, corners, exponent, small);
     bool nothing = small || seen.y <= 0.0 || lobe_misses(position, axis, corners, exponent);
     int count = nothing ? 0 : AREA_CORNERS;

@@ -55,6 +55,13 @@ float schlick(float cosine_i, float sine_i, float index_i, float index_t) {
     return cosine_transmitted(sine_i, index_i, index_t) < 0.0 ? 1.0 : share;
 }
 
+// schlick from either side: takes the angle on the side of the smaller index.
+float schlick_either(float cosine_i, float sine_i, float index_i, float index_t) {
+    float cosine_t = cosine_transmitted(sine_i, index_i, index_t);
+    float thin = index_i > index_t && cosine_t >= 0.0 ? cosine_t : cosine_i;
+    return schlick(thin, sine_i, index_i, index_t);
+}
+
 // What a coloured medium lets through on a way: e^(−a d), a per unit of length.
 vec3 transmitted_share(vec3 absorption, float distance) {
     return exp(-absorption * distance);

@@ -10,26 +10,25 @@ float ray_sphere(vec3 origin, vec3 direction, vec3 centre, float radius, out vec
     float ahead = -dot(seen, direction);
     vec3 nearest = seen + (ahead / squared) * direction;
     float inside = radius * radius - dot(nearest, nearest);
-    from_centre = vec3(0.0);
-    if (inside < 0.0) return -1.0;
-    float chord = sqrt(inside * squared);
+    float chord = sqrt(max(inside, 0.0) * squared);
     float distance = length(seen);
     float c = (distance - radius) * (distance + radius);
     float q = ahead + (ahead < 0.0 ? -chord : chord);
     float other = q == 0.0 ? c : c / q;
     float first = min(q / squared, other);
     float last = max(q / squared, other);
-    float t = first >= 0.0 ? first : last;
-    if (t < 0.0) return -1.0;
-    from_centre = nearest + ((first >= 0.0 ? -chord : chord) / squared) * direction;
-    return t;
+    bool enters = first >= 0.0;
+    bool hit = inside >= 0.0 && last >= 0.0;
+    vec3 there = nearest + ((enters ? -chord : chord) / squared) * direction;
+    from_centre = hit ? there : vec3(0.0);
+    return hit ? (enters ? first : last) : -1.0;
 }
 
 // t where the ray meets the plane through point; a ray along the plane misses it.
 float ray_plane(vec3 origin, vec3 direction, vec3 point, vec3 normal) {
     float steep = dot(normal, direction);
-    float t = steep == 0.0 ? -1.0 : dot(normal, point - origin) / steep;
-    return t > 0.0 ? t : -1.0;
+    float t = dot(normal, point - origin) / (steep == 0.0 ? 1.0 : steep);
+    return steep != 0.0 && t > 0.0 ? t : -1.0;
 }
 
 // t where the ray meets the disc, its rim included.

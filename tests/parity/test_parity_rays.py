@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from playground.render.gl import probe
-from playground.shading import optics, ray, triangle
+from playground.shading import optics, ray, shadow, triangle
 from tests.parity.test_parity import U, assert_close, directions, f32
 
 pytestmark = pytest.mark.gl
@@ -194,7 +194,7 @@ def test_optics(gl, rng):
     keep = clear & (np.abs(through) > 1e-2)
     assert_close(got[keep], through[keep], (U * (4 + 8 * (n_i / n_t) ** 2 * steep))[keep])
     cos_error = U * (4 + 16 * (n_i / n_t) ** 2 * steep)
-    for name in ("fresnel", "schlick"):
+    for name in ("fresnel", "schlick", "schlick_either"):
         want = getattr(optics, name)(cosine, sine, n_i, n_t)
         got = probe.call("optics", name, cosine, sine, n_i, n_t)
         # R changes by at most 4/(cos θ_i + cos θ_t) per unit of cos θ_t.
@@ -222,3 +222,18 @@ def test_absorption_and_plates(gl, rng):
     got = probe.call("optics", "plate_shift", 2.0, cosine, sine, 1.0, 1.5)
     # n_t cos θ_t − n_i cos θ_i >= 0.5, of numbers up to 1.5: 16 roundings, times sin θ_i.
     assert_close(got, want, 32 * U * sine + 1e-37)
+
+
+@pytest.mark.parametrize("two_sided", [False, True])
+def test_shadow_shares(gl, rng, two_sided):
+    to_lamp, facing = directions(rng, N), directions(rng, N)
+    distance = f32(rng.uniform(0.1, 20.0, N))
+    want = shadow.lamp_weight(to_lamp, distance, facing, two_sided)
+    got = probe.call("shadow", "lamp_weight", to_lamp, distance, facing, two_sided)
+    # A cosine is off by 3 u, whatever it is; a product and a quotient.
+    assert_close(got, want, (3 * U + 4 * U) / distance**2)
+    whole = f32(rng.uniform(0.0, 2.0, N) * (rng.uniform(size=N) < 0.9))
+    seen = f32(whole * rng.uniform(0.0, 1.0, N))
+    want = shadow.visible_share(seen, whole)
+    assert_close(probe.call("shadow", "visible_share", seen, whole), want, 4 * U * want)
+    assert (want[whole == 0.0] == 1.0).all()

@@ -30,6 +30,10 @@ NUMPY_ALONE = {
         "area_samples": "GLSL goes from point to point",
         "chosen_vectors": "GLSL has no masks",
     },
+    "optics": {
+        "mirror_series": "what a recursion leaves out is told before it starts, on the CPU",
+        "bounces_until": "a count of up to millions, which float32 cannot hold",
+    },
     "light": {"cone": "needed once per light, computed on the CPU"},
     "display": {
         "display_colour": "present.glsl strings the same steps together, specialised",

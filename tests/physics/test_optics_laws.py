@@ -1,12 +1,16 @@
 """Snell, Fresnel and Beer–Lambert against what physics says of them."""
 
+import math
+
 import numpy as np
 import pytest
 
 from playground.shading.optics import (
+    bounces_until,
     cosine_transmitted,
     fresnel,
     fresnel_polarised,
+    mirror_series,
     plate_shift,
     refraction,
     schlick,
@@ -143,3 +147,26 @@ def test_plate_shift_is_where_two_refractions_lead(rng):
     aside = np.linalg.norm(np.cross(leave, straight), axis=1)
     shift = plate_shift(2.0, cosine, sine, 1.0, 1.5)
     assert np.all(np.abs(shift - aside) < 64 * U / cosine)
+
+
+@pytest.mark.parametrize("rho", [0.0, 0.25, 0.9, 0.99, 1.0 - 2.0**-20, 1.0])
+@pytest.mark.parametrize("bounces", [0, 1, 5, 4096])
+def test_what_two_mirrors_show_is_a_sum_of_powers(rho, bounces):
+    exact = math.fsum(rho**k for k in range(bounces + 1))  # each power and the sum rounded once
+    # Roundings of log1p, the product, expm1 and the quotient; an error of x in 1 - e^-x shrinks to
+    # x / (e^x - 1) <= 1 of it. Two more for the powers and the sum.
+    assert mirror_series(rho, bounces) == pytest.approx(exact, rel=8 * U)
+
+
+@pytest.mark.parametrize("rho", [0.0, 1e-3, 1 / 255, 0.5, 0.9, 0.9999, 1.0 - 2.0**-20])
+def test_so_many_bounces_suffice_and_one_less_does_not(rho):
+    missing = 1.0 / 255.0
+    bounces = bounces_until(rho, missing)
+    assert rho ** (bounces + 1) < missing
+    assert bounces == 0 or rho**bounces >= missing
+
+
+@pytest.mark.parametrize(("rho", "missing"), [(1.0, 0.1), (1.5, 0.1), (-0.1, 0.1), (0.5, 0.0)])
+def test_no_number_of_bounces_suffices(rho, missing):
+    with pytest.raises(ValueError, match="no number of bounces"):
+        bounces_until(rho, missing)

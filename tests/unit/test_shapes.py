@@ -8,12 +8,12 @@ import pytest
 from playground.errors import PlaygroundError
 from playground.scene.normals import direction, weld
 from playground.scene.shapes import SHAPES, make
-from playground.scene.shapes_curved import cone, cylinder, icosphere, torus, uv_sphere
+from playground.scene.shapes_curved import cone, cylinder, disc, icosphere, torus, uv_sphere
 from playground.scene.shapes_flat import box, grid, quad
 from playground.scene.shapes_lattice import circle
 
 CLOSED = ["sphere", "icosphere", "torus", "box", "cylinder", "cone"]
-OPEN = ["quad", "grid", "teapot"]
+OPEN = ["quad", "grid", "disc", "teapot"]
 PI = np.pi
 
 # Area and volume of the smooth surface
@@ -114,6 +114,18 @@ def test_flat_shapes_are_exact(tessellation):
     )
 
 
+@pytest.mark.parametrize("tessellation", [3, 4, 7, 8, 32, 101])
+def test_the_disc_is_a_regular_polygon_in_the_unit_circle(tessellation):
+    mesh = disc(tessellation)
+    turn = 2 * PI / tessellation
+    # Corners on the circle, rounded to float32
+    assert area(mesh) == pytest.approx(0.5 * tessellation * np.sin(turn), rel=1e-6)
+    assert np.array_equal(mesh.normals, np.tile([0, 1, 0], (len(mesh.normals), 1)))
+    assert not mesh.positions[:, 1].any()
+    x, _, z = mesh.positions.T
+    np.testing.assert_allclose(mesh.texcoords, 0.5 + 0.5 * np.stack([x, -z], axis=1), atol=1e-7)
+
+
 @pytest.mark.parametrize("name", SHAPES)
 @pytest.mark.parametrize("tessellation", [None, "min", 5, 6, 23])
 def test_topology(name, tessellation):
@@ -196,7 +208,7 @@ def test_tessellation_has_a_range(tessellation):
         make("sphere", tessellation)
 
 
-@pytest.mark.parametrize("shape", [uv_sphere, torus, cylinder, cone, quad, box, icosphere])
+@pytest.mark.parametrize("shape", [uv_sphere, torus, disc, cylinder, cone, quad, box, icosphere])
 def test_generators_refuse_too_few_parts(shape):
     with pytest.raises(PlaygroundError, match="too small"):
         shape(0)

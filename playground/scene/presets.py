@@ -1,6 +1,6 @@
-"""Well known materials: the table of ``teapots.c`` (Silicon Graphics, 1994).
+"""Well known materials: the table of ``teapots.c`` (Silicon Graphics, 1994), mirrors and glass.
 
-The program draws 24 teapots and is printed in the OpenGL Programming Guide; its numbers
+That program draws 24 teapots and is printed in the OpenGL Programming Guide; its numbers
 have been copied from book to book since. There the exponent is 128 times the last column.
 """
 
@@ -9,10 +9,14 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import lru_cache
 
+from playground.errors import unknown_name
 from playground.scene.material import Material
 
 Rgb = tuple[float, float, float]
 PLAIN = Material()
+BLACK: Rgb = (0.0, 0.0, 0.0)
+WHITE: Rgb = (1.0, 1.0, 1.0)
+HIGHLIGHT: Rgb = (0.6, 0.6, 0.6)
 LARGEST = 128.0  # the exponent that OpenGL allows
 
 _TABLE: dict[str, tuple[Rgb, Rgb, Rgb, float]] = {  # ambient, diffuse, specular, shininess
@@ -68,20 +72,62 @@ _TABLE: dict[str, tuple[Rgb, Rgb, Rgb, float]] = {  # ambient, diffuse, specular
     "red rubber": ((0.05, 0.0, 0.0), (0.5, 0.4, 0.4), (0.7, 0.04, 0.04), 0.078125),
     "black rubber": ((0.02, 0.02, 0.02), (0.01, 0.01, 0.01), (0.4, 0.4, 0.4), 0.078125),
 }
-PRESETS = tuple(_TABLE)
+
+# For ray tracing. Highlights stand for the mirror image of a lamp, which a ray cannot hit.
+_TRACED: dict[str, Material] = {
+    "mirror": Material(BLACK, HIGHLIGHT, BLACK, shininess=300.0, reflectance=(0.9, 0.9, 0.9)),
+    # Gold at normal incidence, linear RGB: Hoffman, Physics and Math of Shading, SIGGRAPH 2015.
+    "gold mirror": Material(
+        BLACK, HIGHLIGHT, BLACK, shininess=300.0, reflectance=(1.0, 0.78, 0.34)
+    ),
+    "glass": Material(BLACK, HIGHLIGHT, BLACK, shininess=300.0, transmittance=WHITE, index=1.5),
+    # Absorption per metre at 650, 550 and 450 nm: Pope, Fry, Applied Optics 36(33), 1997.
+    "water": Material(
+        BLACK,
+        HIGHLIGHT,
+        BLACK,
+        shininess=300.0,
+        transmittance=WHITE,
+        index=1.333,
+        absorption=(0.34, 0.0565, 0.0092),
+    ),
+    "diamond": Material(BLACK, HIGHLIGHT, BLACK, shininess=300.0, transmittance=WHITE, index=2.417),
+    # Under a clear coat of index 1.5, which reflects ((1.5 − 1)/(1.5 + 1))² = 0.04 straight on.
+    "glossy plastic": Material(
+        (0.6, 0.05, 0.05), HIGHLIGHT, (0.6, 0.05, 0.05), shininess=100.0, reflectance=(0.04,) * 3
+    ),
+}
+PRESETS = (*_TABLE, *_TRACED)
 
 
 def preset(name: str, material: Material = PLAIN) -> Material:
-    """``material`` with colours and exponent of the table; a texture stays."""
-    ambient, diffuse, specular, shininess = _TABLE[name]
+    """The material of this name; a texture of ``material`` stays, and its priority.
+
+    Raises
+    ------
+    PlaygroundError
+        There is none of this name.
+    """
+    if name in _TRACED:
+        known = _TRACED[name]
+    elif name in _TABLE:
+        ambient, diffuse, specular, shininess = _TABLE[name]
+        known = Material(diffuse, specular, ambient, shininess=LARGEST * shininess)
+    else:
+        raise unknown_name("preset", name, PRESETS)
     return replace(
-        material,
-        ambient=ambient,
-        diffuse=diffuse,
-        specular=specular,
-        emissive=(0.0, 0.0, 0.0),
-        shininess=LARGEST * shininess,
+        known,
+        texture=material.texture,
+        texture_encoding=material.texture_encoding,
+        priority=material.priority,
     )
+
+
+def look(material: Material) -> Rgb:
+    """One colour (r, g, b) for a material in a list: what it scatters, mirrors or lets through."""
+    columns = zip(material.diffuse, material.reflectance, material.transmittance, strict=True)
+    red, green, blue = (max(column) for column in columns)
+    return red, green, blue
 
 
 @lru_cache(maxsize=64)
