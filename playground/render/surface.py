@@ -18,7 +18,6 @@ from playground.scene.light import AreaLight, DirectionalLight, Light, PointLigh
 from playground.scene.mesh import Mesh
 from playground.scene.polygon import triangles
 from playground.scene.scene import Object, Scene
-from playground.scene.setup import ball_of
 from playground.shading.light import cone
 from playground.shading.phong import ambient_term, component_filter, emissive_term, weighted_sum
 from playground.shading.vector import normal_matrix, orientation, unit
@@ -110,7 +109,7 @@ def _surface(item: Object, lights: tuple[Light, ...], weights: dict[str, float])
         linear=linear,
         origin=world[:3, 3] + linear @ geometry.offset,
         normal_from_object=normals,
-        ball=ball_of(item),
+        ball=item.ball,
         mirrored=orientation(linear) < 0.0,
         stretched=not even,
         constant_terms=constant,

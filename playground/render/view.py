@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from playground.render.projection import clip_matrix, fit_depth, vertical_angle, view_rotation
+from playground.render.reach import within_reach
 from playground.render.surface import Surface
 from playground.scene.camera import Camera
 
 Array = NDArray[np.float64]
-FARTHEST_CORNER = 1e9  # the same for area lights, whose products of three must not overflow
 FARTHEST = 1e12  # scene sizes: from there light arrives parallel, to 40 bits
 
 
@@ -98,14 +98,9 @@ class View:
         constant, linear, quadratic = self.attenuation(k)
         return relative / factor, (constant, linear * factor, quadratic * factor**2)
 
-    def corners(self, points: Array, farthest: float = FARTHEST_CORNER) -> Array:
-        """The corners (K, 3) of an area light relative to the eye.
-
-        A light with a corner farther than ``farthest`` is shrunk towards the eye until it is not:
-        it looks the same from there, and nearly so from all of the scene.
-        """
-        relative = self.relative(points)
-        return relative / max(float(np.max(np.abs(relative))) / farthest, 1.0)
+    def corners(self, points: Array) -> Array:
+        """The corners (K, 3) of an area light relative to the eye, `within_reach` of a shader."""
+        return within_reach(self.relative(points))
 
 
 def view_of(camera: Camera, surfaces: tuple[Surface, ...], size: tuple[int, int]) -> View:

@@ -33,9 +33,8 @@ float turn_arc(vec3 a, vec3 b, vec3 axis) {
     return dot(m, m) > 0.0 ? angle_of(dot(m, axis), along) : 0.0;
 }
 
-// 1 − c^power for c² = 1 − gap: near 0 by the series of 1 − e^y, in which nothing cancels.
-float missing_power(float gap, float power) {
-    float y = 0.346573590280 * power * log2_near_one(1.0 - gap, gap);
+// 1 − e^y for y <= 0: near 0 by its series, in which nothing cancels.
+float one_less_exp(float y) {
     float series = -y * (1.0 + y * (0.5 + y * (0.166666667 + y * (0.0416666667 + y * (0.00833333333 + y * 0.00138888889)))));
     return y > -0.5 ? series : 1.0 - exp2(1.44269504089 * y);
 }
@@ -48,8 +47,8 @@ float lobe_slope(float x, float h, float squared, float w, float power) {
     deep *= deep;
     float far = 4.0 * w * w * x * x;
     float near = h * h * deep + far, whole = deep + far;
-    float present = exp2(0.5 * power * log2(max(squared * deep / whole, 1e-37)));
-    float value = squared < AWAY ? present : missing_power(min(near / whole, 1.0), power);
+    float y = 0.346573590280 * power * log2_near_one(squared * deep / whole, min(near / whole, 1.0));
+    float value = squared < AWAY ? exp2(1.44269504089 * y) : one_less_exp(y);
     return value * (w * w * deep + far) / (max(near, 1e-37) * (1.0 + x * x));
 }
 
@@ -63,7 +62,8 @@ const float ARC_WEIGHTS[5] = float[5](0.295524224715, 0.269266719310, 0.21908636
 // the arc from there, c² = (1 − h²)/(1 + τ²) and dφ = h/(h² + τ²) dτ. With τ = 2wx/(1 − x²), w the
 // width of the peak, the integrand is smooth in x. Gauss's points take the part where
 // c^power counts in float32, above e^-17; the rest is an angle. A circle away from the axis may run
-// along its equator, where τ has few digits: there the whole angle counts less ∫ c^power dφ.
+// along its equator, where τ has few digits: there the whole angle counts less ∫ c^power dφ, and
+// w = h makes x = tan(φ/2).
 float lobe_arc(vec3 a, vec3 b, vec3 axis, float power) {
     vec3 m = cross(a, b - a);
     float squared = dot(m, m);
@@ -76,7 +76,7 @@ float lobe_arc(vec3 a, vec3 b, vec3 axis, float power) {
 
     // The ends as x, cut to where the lobe counts, and the angles beyond.
     float width = 8.0 / power;
-    float w = sqrt((h * h + width) / (1.0 + width));
+    float w = q < AWAY ? max(abs(h), 0.7) : sqrt((h * h + width) / (1.0 + width));
     float far = sqrt(max(reach, 0.0));
     float limit = far / (w + sqrt(w * w + far * far));
     float ya = dot(a, ahead), za = max(dot(a, axis), 0.0);

@@ -45,7 +45,7 @@ GLSL_ALONE = {
     "vector": {"unit_moderate": "float64 needs no second form"},
     "arc": {
         "angle_of": "NumPy has arctan2",
-        "missing_power": "NumPy has expm1 and log1p",
+        "one_less_exp": "NumPy has expm1",
         "lobe_slope": "a part of lobe_arc",
     },
     "polygon": {

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import playground as pg
+from playground.explain.colour_map import VIRIDIS, colour_of
 from playground.measure import metrics
-from playground.measure.colour_map import VIRIDIS, colour_of
 
 
 def image(pixels):

@@ -160,14 +160,6 @@ def _source(library: str, defines: dict[str, int], main: str, precision: str) ->
     return in_precision(source, precision, {})
 
 
-def _write_same(program: Any, same: dict[str, tuple[str, Any]]) -> None:
-    """Upload what is the same for all rows."""
-    for label, (kind, value) in same.items():
-        if f"in_{label}" in program:
-            dtype = np.int32 if kind == "bool" else np.float32
-            program[f"in_{label}"].write(np.asarray(value, dtype).tobytes())
-
-
 def _main(
     signature: Signature, outputs: list[tuple[str, str]], constant: int, precision: str
 ) -> str:

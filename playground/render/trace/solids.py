@@ -110,16 +110,18 @@ class Solid:
         if self.bvh is None:
             inner = self.inward(origin, direction)
             local = analytic.on_surface(self.kind, *inner, t)
+            numbers = np.abs(local)
             normal = outward = self._turned(analytic.normal(self.kind, local))
         else:
             corners = self.surface.mesh.faces[triangle]
-            local = _mix(weights, self.surface.mesh.positions[corners])
+            places = self.surface.mesh.positions[corners]
+            local, numbers = _mix(weights, places), np.abs(places).max(axis=1)
             normal = self._mixed_normals(corners, weights)
             outward = self._face_normals(corners)
         texel = np.ones((1, 3))
         if self.surface.texels is not None:
             texel = bilinear(self.surface.texels, self._texcoords(local, triangle, weights))
-        size = np.abs(self.centre) + np.abs(local) @ self.spread.T
+        size = np.abs(self.centre) + numbers @ self.spread.T  # of what the point is summed from
         position = local @ self.matrix.T + self.centre
         return Points(position, normal, outward, texel, ROUNDINGS * size.max(axis=1))
 

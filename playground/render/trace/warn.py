@@ -12,9 +12,9 @@ from playground.scene.light import AreaLight, PointLight
 from playground.scene.settings import Shading
 
 
-def warnings_of(scene: TracedScene) -> tuple[str, ...]:
-    """One sentence each, ``name: what, and what the picture shows``."""
-    return (*_open_glass(scene), *_hidden_lights(scene), *_ignored(scene))
+def warnings_of(scene: TracedScene, precision: str = "float64") -> tuple[str, ...]:
+    """One sentence each, ``name: what, and what the picture shows``; of a tracer in a precision."""
+    return (*_open_glass(scene), *_hidden_lights(scene), *_ignored(scene, precision))
 
 
 def _open_glass(scene: TracedScene) -> Iterator[str]:
@@ -41,12 +41,12 @@ def _hidden_lights(scene: TracedScene) -> Iterator[str]:
             yield f"light inside a solid: light {number} is in {_called(scene, solid)}; {shows}"
 
 
-def _ignored(scene: TracedScene) -> Iterator[str]:
+def _ignored(scene: TracedScene, precision: str) -> Iterator[str]:
     settings = scene.settings
     if settings.shading != Shading.PER_FRAGMENT:
         yield f"shading: {settings.shading} is ignored; every point that a ray hits is shaded"
-    if settings.precision not in ("native", "float64"):
-        yield f"precision: {settings.precision} is ignored; this ray tracer computes in float64"
+    if settings.precision not in ("native", precision):
+        yield f"precision: {settings.precision} is ignored; this ray tracer computes in {precision}"
 
 
 def _called(scene: TracedScene, solid: Solid) -> str:

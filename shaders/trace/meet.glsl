@@ -1,0 +1,81 @@
+// The first solid that a ray meets, and where. Twin: playground/render/trace/hits.py and solids.py.
+#include "trace/analytic.glsl"
+#include "trace/scene.glsl"
+#if MESHES > 0
+#include "trace/mesh.glsl"
+#endif
+
+const float FAR = 3e38;
+const float RIM = 1.000002;        // 32 roundings beyond 1: no gap where two flat solids meet
+
+#if FLATS > 0
+// The place on a flat solid's plane in the space of the solid, where it is the unit square or disc.
+vec2 on_flat(int i, vec3 point) {
+    return vec2(dot(flat_x[i], point), dot(flat_z[i], point)) - flat_shift[i];
+}
+
+float meet_square(int i, vec3 origin, vec3 direction) {
+    float t = ray_plane(origin, direction, flat_foot[i], flat_normal[i]);
+    vec2 place = abs(on_flat(i, origin + t * direction));
+    return max(place.x, place.y) <= RIM ? t : -1.0;
+}
+
+float meet_disc(int i, vec3 origin, vec3 direction) {
+    float t = ray_plane(origin, direction, flat_foot[i], flat_normal[i]);
+    vec2 place = on_flat(i, origin + t * direction);
+    return dot(place, place) <= RIM ? t : -1.0;
+}
+#endif
+
+#if BALLS > 0
+float meet_ball(int i, vec3 origin, vec3 direction) {
+    vec3 from_centre;
+    return ray_sphere(origin, direction, ball_centre[i], ball_radius[i], from_centre);
+}
+#endif
+
+#define MEET_IN(i, meet) meet(INTO(shape, i, origin - shape_centre[i]), INTO(shape, i, direction))
+
+// Keeps a hit that is nearer than what was found before.
+void take(float t, int solid, int material, inout Hit hit) {
+    bool nearer = t > 0.0 && t < hit.t;
+    hit.t = nearer ? t : hit.t;
+    hit.solid = nearer ? solid : hit.solid;
+    hit.material = nearer ? material : hit.material;
+}
+
+#define TAKE_BALL(i, n, m) take(meet_ball(i, origin, direction), n, m, hit);
+#define TAKE_SQUARE(i, n, m) take(meet_square(i, origin, direction), n, m, hit);
+#define TAKE_DISC(i, n, m) take(meet_disc(i, origin, direction), n, m, hit);
+#define TAKE_OVAL(i, n, m) take(MEET_IN(i, meet_sphere), n, m, hit);
+#define TAKE_BOX(i, n, m) take(MEET_IN(i, meet_box), n, m, hit);
+#define TAKE_CYLINDER(i, n, m) take(MEET_IN(i, meet_cylinder), n, m, hit);
+#define TAKE_MESH(i, n, m) { \
+    int slot; \
+    vec3 weights; \
+    float t = meet_mesh(i, origin, direction, hit.t, slot, weights); \
+    bool nearer = t > 0.0 && t < hit.t; \
+    hit.slot = nearer ? slot : hit.slot; \
+    hit.weights = nearer ? weights : hit.weights; \
+    take(t, n, m, hit); \
+}
+
+// The first hit before limit. Meshes come last: what is found before shortens their walks.
+Hit closest(vec3 origin, vec3 direction, float limit) {
+    Hit hit;
+    hit.t = limit;
+    hit.solid = -1;
+    hit.material = 0;
+    EACH_BALL(TAKE_BALL)
+    EACH_SQUARE(TAKE_SQUARE)
+    EACH_DISC(TAKE_DISC)
+    EACH_OVAL(TAKE_OVAL)
+    EACH_BOX(TAKE_BOX)
+    EACH_CYLINDER(TAKE_CYLINDER)
+#if MESHES > 0
+    hit.slot = 0;
+    hit.weights = vec3(0.0);
+    EACH_MESH(TAKE_MESH)
+#endif
+    return hit;
+}

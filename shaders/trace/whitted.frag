@@ -1,0 +1,31 @@
+// Whitted's ray tracer: a fragment is a ray from the eye through a pixel, with all that follows.
+#include "trace/tree.glsl"
+#include "present.glsl"
+
+layout(location = 0) out vec4 colour_out;
+layout(location = 1) out vec4 left_out;     // the weight of rays that were not shot
+
+void main() {
+    vec2 pixel = gl_FragCoord.xy - 0.5;
+    vec3 direction = first_ray + pixel.x * next_column + pixel.y * next_row;
+    vec3 origin = camera;
+    float limit = FAR;
+#if CLIPPED
+    origin += reach.x * direction;
+    limit = (reach.y - reach.x) * length(direction);
+#endif
+    float covered;
+    Share lost;
+    vec3 colour = light_along(origin, unit_moderate(direction), limit, covered, lost);
+#if ACCUMULATE
+    colour_out = sample_share * vec4(colour, covered);
+    left_out = sample_share * vec4(vec3(lost), 1.0);
+#else
+#if DISPLAY
+    colour_out = present(colour);
+#else
+    colour_out = vec4(colour, covered);
+#endif
+    left_out = vec4(vec3(lost), 1.0);
+#endif
+}
