@@ -2,4 +2,4 @@
 
 from playground.callable_package import make_callable
 
-make_callable(__name__, "playground.explain.pixel", "explain")
+make_callable(__name__, "playground.explain.method", "explain")

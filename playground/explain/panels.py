@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground import locate
+from playground.scene.setup import Setup
 
 if TYPE_CHECKING:
     from PIL.ImageFont import FreeTypeFont
@@ -26,6 +27,20 @@ class Panel:
     caption: str
 
 
+@dataclass(frozen=True, eq=False)
+class Sheet:
+    """A laid-out figure: 8-bit codes (H, W, 3), what it shows, and what was checked.
+
+    ``error`` is the largest difference between the sum of the four terms' pictures and
+    the picture of their sum (sheet "terms" only, else None).
+    """
+
+    codes: NDArray[np.uint8]
+    setup: Setup
+    message: str
+    error: float | None = None
+
+
 def lay_out(
     rows: Sequence[Sequence[Panel]], heading: str = "", footer: str = ""
 ) -> NDArray[np.uint8]:
@@ -37,7 +52,7 @@ def lay_out(
     across = columns * (width + MARGIN) - MARGIN
     text = max(13, round(height / 17))
     font = _fitting(text, [panel.caption for row in rows for panel in row], width)
-    title, small = _fitting(text, [heading], across), _font(max(11, round(0.8 * text)))
+    title, small = _fitting(text, [heading], across), typeface(max(11, round(0.8 * text)))
     line, notes = round(1.7 * text), _wrapped(footer, small, across)
     above = line + MARGIN if heading else MARGIN
     below = round(1.4 * small.size) * len(notes) + MARGIN
@@ -56,7 +71,8 @@ def lay_out(
     return np.asarray(paper)
 
 
-def _font(size: float) -> FreeTypeFont:
+def typeface(size: float) -> FreeTypeFont:
+    """The typeface of all figures, in pixels."""
     from PIL import ImageFont
 
     return ImageFont.truetype(str(locate.asset("fonts/DejaVuSans.ttf")), size)
@@ -64,8 +80,8 @@ def _font(size: float) -> FreeTypeFont:
 
 def _fitting(size: float, texts: Sequence[str], width: float) -> FreeTypeFont:
     """A font of at most ``size`` pixels in which every text is at most ``width`` wide."""
-    longest = max(_font(size).getlength(text) for text in texts)
-    return _font(max(SMALLEST, size * min(1.0, width / longest)) if longest else size)
+    longest = max(typeface(size).getlength(text) for text in texts)
+    return typeface(max(SMALLEST, size * min(1.0, width / longest)) if longest else size)
 
 
 def _wrapped(text: str, font: FreeTypeFont, width: float) -> list[str]:

@@ -134,7 +134,7 @@ def explain(
     """
     check_setup(setup)
     width, height = check_size(size)
-    x, y = _check_pixel(pixel, width, height)
+    x, y = check_pixel(pixel, width, height)
     settings = setup.settings
     everything = surfaces(setup.scene, settings.weights)
     view = view_of(setup.camera, everything, (width, height))
@@ -272,7 +272,8 @@ def _light_at_point(
     )
 
 
-def _check_pixel(pixel: Any, width: int, height: int) -> tuple[int, int]:
+def check_pixel(pixel: Any, width: int, height: int) -> tuple[int, int]:
+    """The pixel as whole numbers, or an error if it is outside of the picture."""
     try:
         x, y = (int(v) for v in pixel)
         inside = (x, y) == tuple(pixel) and 0 <= x < width and 0 <= y < height

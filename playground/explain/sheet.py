@@ -1,43 +1,30 @@
-"""The figures of the lecture: the four terms and their sum, the row of shininess, the shadings."""
+"""The figures of the lecture: the four terms and their sum, the row of shininess, the shadings.
+
+Those of ray tracing are in `playground.explain.ray_sheet`.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
-from numpy.typing import NDArray
 
 from playground.errors import unknown_name
-from playground.explain.panels import Panel, lay_out
+from playground.explain.panels import Panel, Sheet, lay_out
 from playground.render.image import Image
 from playground.render.renderer import Renderer, open_renderer
 from playground.scene.settings import TERMS
 from playground.scene.setup import Setup
 
-SHEETS = ("terms", "shininess", "shading")
+TRACED = ("depth", "tests")  # sheets that are drawn by ray tracing
+SHEETS = ("terms", "shininess", "shading", *TRACED)
 SHININESS = (5, 10, 20, 80)
 MAGNIFY = 8
 SAMPLES = 4
 
 
-@dataclass(frozen=True, eq=False)
-class Sheet:
-    """A laid-out figure: 8-bit codes (H, W, 3), what it shows, and what was checked.
-
-    ``error`` is the largest difference between the sum of the four terms' pictures and
-    the picture of their sum (sheet "terms" only, else None).
-    """
-
-    codes: NDArray[np.uint8]
-    setup: Setup
-    message: str
-    error: float | None = None
-
-
 def make_sheet(
     setup: Setup, kind: str, size: tuple[int, int] = (400, 300), renderer: str = "auto"
 ) -> Sheet:
-    """Lay out the figure ``kind`` ("terms", "shininess" or "shading"), panels of ``size``.
+    """Lay out the figure ``kind``, one of `SHEETS`, with panels of ``size``.
 
     Raises
     ------
@@ -46,6 +33,12 @@ def make_sheet(
     """
     if kind not in SHEETS:
         raise unknown_name("sheet", kind, SHEETS)
+    if kind in TRACED:
+        from playground.explain.ray_sheet import depth_sheet, tests_sheet
+
+        draw = depth_sheet if kind == "depth" else tests_sheet
+        with open_renderer(size, renderer, method="ray-tracing") as opened:
+            return draw(setup, opened)
     make = {"terms": _terms, "shininess": _shininess, "shading": _shading}[kind]
     with open_renderer(size, renderer) as opened:
         if opened.name == "gl":  # smooth edges for the projector, where they cost little

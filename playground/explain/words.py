@@ -9,12 +9,14 @@ from playground.scene.settings import TERMS
 
 if TYPE_CHECKING:
     from playground.explain.pixel import Explanation, LightAtPoint, ShadedPoint
+    from playground.explain.ray_tree import RayTree
     from playground.scene.material import Material
 
 CORNERS = "ABC"
 
 
-def _triple(values: Iterable[float], digits: int = 4) -> str:
+def triple(values: Iterable[float], digits: int = 4) -> str:
+    """Three numbers as text."""
     return "(" + ", ".join(f"{v:.{digits}f}" for v in values) + ")"
 
 
@@ -28,10 +30,10 @@ def text(why: Explanation) -> str:
     if why.light is not None:
         kind = why.setup.scene.lights[why.light].kind
         seen = "what it emits, s_d" if why.colour.any() else "its dark back, or nothing emitted"
-        lines += [f"sees light {why.light} ({kind}) itself: {seen}", *_ending(why)]
+        lines += [f"sees light {why.light} ({kind}) itself: {seen}", *ending(why)]
         return "\n".join(lines)
     if why.object is None:
-        lines += ["no surface here: the background", *_ending(why)]
+        lines += ["no surface here: the background", *ending(why)]
         return "\n".join(lines)
     lines.append(f"sees triangle {why.triangle} of object {why.object}")
     lines.append(f"needs {why.needs}")
@@ -44,39 +46,39 @@ def text(why: Explanation) -> str:
         for name, weight, corner in zip(CORNERS, why.weights, why.corners, strict=True):
             lines += [f"vertex {name}, weight {weight:.6f}", *_point(why, corner), ""]
         parts = " + ".join(
-            f"{w:.4f} {_triple(c.colour)}" for w, c in zip(why.weights, why.corners, strict=True)
+            f"{w:.4f} {triple(c.colour)}" for w, c in zip(why.weights, why.corners, strict=True)
         )
         lines.append(f"mix       {parts}")
-    return "\n".join([*lines, *_ending(why)])
+    return "\n".join([*lines, *ending(why)])
 
 
 def _point(why: Explanation, point: ShadedPoint) -> list[str]:
     lines = [
-        f"  p = {_triple(point.position)}",
-        f"  n = {_triple(point.normal)}   normal",
-        f"  v = {_triple(point.to_eye)}   to_eye",
+        f"  p = {triple(point.position)}",
+        f"  n = {triple(point.normal)}   normal",
+        f"  v = {triple(point.to_eye)}   to_eye",
     ]
     for i, light in enumerate(point.lights):
         lines += [f"  light {i} ({light.kind})", *_light(why, point, light)]
     weight = why.setup.settings.weights["emissive"]
     symbols, factors = _scaling(weight, 1.0)
-    emitted = f"{symbols}m_e = {factors}{_triple(_material(why).emissive)}"
+    emitted = f"{symbols}m_e = {factors}{triple(_material(why).emissive)}"
     lines.append(f"  emissive  {emitted}" if weight else "  emissive  switched off")
-    lines.append(f"  sum       {_triple(point.colour)}")
+    lines.append(f"  sum       {triple(point.colour)}")
     return lines
 
 
 def _light(why: Explanation, point: ShadedPoint, light: LightAtPoint) -> list[str]:
     if light.area:
         ways = [_area_diffuse(why, point, light), _area_specular(why, light), _ambient(why, light)]
-        return [f"    l = {_triple(light.to_light)}   to the middle of the light", *ways]
+        return [f"    l = {triple(light.to_light)}   to the middle of the light", *ways]
     arriving = f"   arriving: {light.strength:.6g} of it" if light.strength != 1.0 else ""
     lines = [
-        f"    l = {_triple(light.to_light)}   to_light{arriving}",
-        f"    r = {_triple(light.reflection)}   reflection   ρ = {light.rho:.2f}°",
+        f"    l = {triple(light.to_light)}   to_light{arriving}",
+        f"    r = {triple(light.reflection)}   reflection   ρ = {light.rho:.2f}°",
     ]
     if why.setup.settings.highlight == "blinn":
-        lines.append(f"    h = {_triple(light.halfway)}   halfway")
+        lines.append(f"    h = {triple(light.halfway)}   halfway")
     return [*lines, _diffuse(why, point, light), _specular(why, light), _ambient(why, light)]
 
 
@@ -87,8 +89,8 @@ def _diffuse(why: Explanation, point: ShadedPoint, light: LightAtPoint) -> str:
     symbols, factors = _scaling(weight, light.strength)
     return (
         f"    diffuse   {symbols}max(n·l, 0) s_d ⊗ m_d = {factors}{light.diffuse_factor:.4f} "
-        f"{_triple(light.light_diffuse)} ⊗ {_triple(point.material_diffuse)} = "
-        f"{_triple(light.diffuse)}"
+        f"{triple(light.light_diffuse)} ⊗ {triple(point.material_diffuse)} = "
+        f"{triple(light.diffuse)}"
     )
 
 
@@ -103,8 +105,8 @@ def _specular(why: Explanation, light: LightAtPoint) -> str:
     cosine = max(light.specular_cosine, 0.0)
     return (
         f"    specular  {symbols}max({base}, 0)^{why.shininess:g} s_s ⊗ m_s = "
-        f"{factors}{cosine:.4f}^{why.shininess:g} {_triple(light.light_specular)} ⊗ "
-        f"{_triple(_material(why).specular)} = {_triple(light.specular)}"
+        f"{factors}{cosine:.4f}^{why.shininess:g} {triple(light.light_specular)} ⊗ "
+        f"{triple(_material(why).specular)} = {triple(light.specular)}"
     )
 
 
@@ -115,8 +117,8 @@ def _area_diffuse(why: Explanation, point: ShadedPoint, light: LightAtPoint) -> 
     symbols, factors = _scaling(weight, 1.0)
     return (
         f"    diffuse   {symbols}F s_d ⊗ m_d = {factors}{light.diffuse_factor:.4g} "
-        f"{_triple(light.light_diffuse)} ⊗ {_triple(point.material_diffuse)} = "
-        f"{_triple(light.diffuse)}   F form factor"
+        f"{triple(light.light_diffuse)} ⊗ {triple(point.material_diffuse)} = "
+        f"{triple(light.diffuse)}   F form factor"
     )
 
 
@@ -128,8 +130,8 @@ def _area_specular(why: Explanation, light: LightAtPoint) -> str:
     base = "n·h" if why.setup.settings.highlight == "blinn" else "r·ω"
     return (
         f"    specular  {symbols}1/π ∫ max({base}, 0)^{why.shininess:g} dω s_s ⊗ m_s = "
-        f"{factors}{light.specular_factor:.4g} {_triple(light.light_specular)} ⊗ "
-        f"{_triple(_material(why).specular)} = {_triple(light.specular)}"
+        f"{factors}{light.specular_factor:.4g} {triple(light.light_specular)} ⊗ "
+        f"{triple(_material(why).specular)} = {triple(light.specular)}"
     )
 
 
@@ -139,8 +141,8 @@ def _ambient(why: Explanation, light: LightAtPoint) -> str:
         return "    ambient   switched off"
     symbols, factors = _scaling(weight, 1.0)
     return (
-        f"    ambient   {symbols}s_a ⊗ m_a = {factors}{_triple(light.light_ambient)} ⊗ "
-        f"{_triple(_material(why).ambient)} = {_triple(light.ambient)}"
+        f"    ambient   {symbols}s_a ⊗ m_a = {factors}{triple(light.light_ambient)} ⊗ "
+        f"{triple(_material(why).ambient)} = {triple(light.ambient)}"
     )
 
 
@@ -155,15 +157,16 @@ def _material(why: Explanation) -> Material:
     return why.setup.scene.objects[why.object or 0].material
 
 
-def _ending(why: Explanation) -> list[str]:
+def ending(why: Explanation | RayTree) -> list[str]:
+    """What the display makes of the colour, in three lines."""
     s = why.setup.settings
     steps = [f"exposed × {s.exposure:g}"] if s.exposure != 1.0 else []
     steps.append("clamped" if s.clamp else "wrapped")
     steps += ["sRGB curve"] if s.curve == "srgb" else []
     lost = " (cut at 1)" if s.clamp and max(why.colour * s.exposure) > 1.0 else ""
     return [
-        f"colour    {_triple(why.colour)}   linear",
-        f"shown     {_triple(why.shown)}   {', '.join(steps)}{lost}",
+        f"colour    {triple(why.colour)}   linear",
+        f"shown     {triple(why.shown)}   {', '.join(steps)}{lost}",
         f"code      {' '.join(str(int(code)) for code in why.codes)}",
     ]
 
@@ -237,8 +240,8 @@ def to_dict(why: Explanation) -> dict[str, Any]:
         "weights": [float(w) for w in why.weights] if why.corners else [],
         "points": [_point_dict(corner) for corner in why.corners],
         "terms": _terms(why),
-        "colour": _plain(why.colour),
-        "shown": _plain(why.shown),
+        "colour": plain(why.colour),
+        "shown": plain(why.shown),
         "code": [int(code) for code in why.codes],
     }
 
@@ -262,18 +265,19 @@ def _terms(why: Explanation) -> dict[str, list[float]]:
 
 def _point_dict(point: ShadedPoint) -> dict[str, Any]:
     return {
-        "position": _plain(point.position),
-        "normal": _plain(point.normal),
-        "to_eye": _plain(point.to_eye),
-        "material_diffuse": _plain(point.material_diffuse),
+        "position": plain(point.position),
+        "normal": plain(point.normal),
+        "to_eye": plain(point.to_eye),
+        "material_diffuse": plain(point.material_diffuse),
         "lights": [
-            {name: _plain(getattr(light, name)) for name in light.__dataclass_fields__}
+            {name: plain(getattr(light, name)) for name in light.__dataclass_fields__}
             for light in point.lights
         ],
-        "emissive": _plain(point.emissive),
-        "colour": _plain(point.colour),
+        "emissive": plain(point.emissive),
+        "colour": plain(point.colour),
     }
 
 
-def _plain(value: Any) -> Any:
+def plain(value: Any) -> Any:
+    """An array as a list; everything else as it is."""
     return value.tolist() if hasattr(value, "tolist") else value

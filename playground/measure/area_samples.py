@@ -15,6 +15,7 @@ CORNERS = np.array([(-0.5, 1.0, -0.5), (0.5, 1.0, -0.5), (0.5, 1.0, 0.5), (-0.5,
 DOWN = np.array([0.0, -1.0, 0.0])  # where the square shines
 UP = np.array([0.0, 1.0, 0.0])  # the floor's normal
 EYE = np.array([0.0, 2.0, 4.0])
+FLOOR = 4.0  # its side; the square above has 1
 GAUSS = 48  # points along each side for the reference: no more change the 13th digit
 
 Integrand = Callable[[Array], Array]  # of unit vectors (..., S, 3) to the light: (..., S)
@@ -23,7 +24,7 @@ Integrand = Callable[[Array], Array]  # of unit vectors (..., S, 3) to the light
 def floor(size: tuple[int, int]) -> Array:
     """Points (H, W, 3) of the floor around the square's shadow."""
     width, height = size
-    x, z = (4.0 * ((np.arange(n) + 0.5) / n - 0.5) for n in (width, height))
+    x, z = (FLOOR * ((np.arange(n) + 0.5) / n - 0.5) for n in (width, height))
     return np.stack([*np.broadcast_arrays(x[None, :], 0.0, z[:, None])], axis=-1)
 
 

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.errors import PlaygroundError
+from playground.explain.colour_map import colour_of
 from playground.measure import metrics
-from playground.measure.colour_map import colour_of
 from playground.render.image import Image
 
 

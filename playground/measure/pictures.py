@@ -40,12 +40,12 @@ def rounds_of(work: Callable[[], Any], warm_up: int = WARM_UP) -> Timer:
 
 
 def frames_of(
-    setup: Setup, size: tuple[int, int], renderer: str = "gl"
+    setup: Setup, size: tuple[int, int], renderer: str = "gl", method: str = "raster"
 ) -> Callable[[ExitStack], Timer]:
     """Opens a renderer of its own and times frames of 8-bit RGBA read into an array."""
 
     def opened(stack: ExitStack) -> Timer:
-        drawn = stack.enter_context(open_renderer(size, renderer))
+        drawn = stack.enter_context(open_renderer(size, renderer, method=method))
         codes = np.empty((size[1], size[0], 4), np.uint8)
         warm_up = WARM_UP if renderer == "gl" else 1
         return rounds_of(lambda: drawn.render(setup, out=codes), warm_up)
@@ -53,9 +53,11 @@ def frames_of(
     return opened
 
 
-def picture(setup: Setup, size: tuple[int, int], renderer: str = "gl") -> Image:
+def picture(
+    setup: Setup, size: tuple[int, int], renderer: str = "gl", method: str = "raster"
+) -> Image:
     """One picture in linear light."""
-    with open_renderer(size, renderer) as drawn:
+    with open_renderer(size, renderer, method=method) as drawn:
         image = drawn.render(setup)
     assert isinstance(image, Image)
     return image

@@ -82,6 +82,17 @@ class Object(Declared):
         return Geometry(_with_normals(source.mesh, self.normals), source.offset)
 
 
+    @cached_property
+    def ball(self) -> tuple[NDArray[np.float64], float]:
+        """Centre (3,) and radius of a ball around the object, in world units."""
+        geometry, matrix = self.geometry(), self.transform.matrix
+        linear = matrix[:3, :3]
+        centre = linear @ (geometry.mesh.centre + geometry.offset) + matrix[:3, 3]
+        centre.setflags(write=False)
+        stretch = float(np.linalg.norm(linear, 2)) if np.any(linear) else 0.0
+        return centre, geometry.mesh.radius * stretch
+
+
 @dataclass(frozen=True)
 class Scene(Declared):
     """Objects under lights, in front of a background (linear RGB)."""
@@ -115,11 +126,21 @@ class Scene(Declared):
             object.__setattr__(self, name, values)
 
 
+_given: dict[tuple[str, Stamp], Geometry] = {}
+
+
+def give(mesh: str, state: Stamp, geometry: Geometry) -> None:
+    """Take ``geometry`` for what is in a mesh file of this name and state: it was read apart."""
+    _given[mesh, state] = geometry
+
+
 @lru_cache(maxsize=64)
 def _source(mesh: str, tessellation: int, state: Stamp | None) -> Geometry:
     """The mesh of a name; ``state`` tells a file that has changed from what it was."""
     from playground.scene import shapes
 
+    if state is not None and (mesh, state) in _given:
+        return _given.pop((mesh, state))
     if mesh in shapes.SHAPES:
         return Geometry(shapes.make(mesh, tessellation or None), NO_OFFSET)
     if Path(mesh).suffix.lower() in MESH_FILES:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -83,12 +84,17 @@ class Setup:
 
     def bounds(self) -> tuple[NDArray[np.float64], float]:
         """Centre (3,) and radius of a ball that holds every object, in world units."""
-        balls = [ball_of(item) for item in self.scene.objects]
+        return self._bounds
+
+    @cached_property
+    def _bounds(self) -> tuple[NDArray[np.float64], float]:
+        balls = [item.ball for item in self.scene.objects]
         if not balls:
             return np.zeros(3), 1.0
         low = np.min([centre - radius for centre, radius in balls], axis=0)
         high = np.max([centre + radius for centre, radius in balls], axis=0)
         centre = (low + high) / 2
+        centre.setflags(write=False)
         radius = max(float(np.linalg.norm(c - centre)) + r for c, r in balls)
         return centre, radius or 1.0
 
@@ -110,16 +116,6 @@ class Setup:
 
 def _triple(point: NDArray[np.float64]) -> tuple[float, float, float]:
     return float(point[0]), float(point[1]), float(point[2])
-
-
-def ball_of(item: Object) -> tuple[NDArray[np.float64], float]:
-    """Centre (3,) and radius of a ball around one object, in world units."""
-    geometry = item.geometry()
-    matrix = item.transform.matrix
-    linear = matrix[:3, :3]
-    centre = linear @ (geometry.mesh.centre + geometry.offset) + matrix[:3, 3]
-    stretch = float(np.linalg.norm(linear, 2)) if np.any(linear) else 0.0
-    return centre, geometry.mesh.radius * stretch
 
 
 def owner_of(name: str, others: Iterable[str] = ()) -> tuple[str, type]:

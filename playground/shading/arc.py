@@ -1,7 +1,8 @@
 """One edge of a polygon as a point sees it: an arc of a great circle, and integrals along it.
 
 Twin: shaders/lib/arc.glsl. An arc runs from the direction of ``a`` to that of ``b``, both
-relative to the point and of any length, (..., 3). `playground.shading.area_light` sums arcs.
+relative to the point and of any length, (..., 3). `playground.shading.area_light` sums arcs
+and names the sources: Lambert's sum is over arcs, and Arvo reduces a lobe to integrals along them.
 """
 
 from __future__ import annotations
@@ -46,7 +47,7 @@ def lobe_arc(a: ArrayLike, b: ArrayLike, axis: ArrayLike, power: float) -> Array
     τ = 2wx/(1 − x²), w the width of the peak, the integrand is smooth in x; Gauss's points take
     the part where c^power counts, and the rest is an angle. A circle that stays away from the
     axis may run along its equator, where τ has few digits: there the whole angle counts, which the
-    ends give, less the integral of c^power, which is small.
+    ends give, less the integral of c^power, which is small; w = h makes x = tan(φ/2).
     """
     a, b, axis = (np.asarray(x, np.float64) for x in (a, b, axis))
     m = cross(a, b - a)
@@ -57,7 +58,9 @@ def lobe_arc(a: ArrayLike, b: ArrayLike, axis: ArrayLike, power: float) -> Array
     with np.errstate(over="ignore"):
         reach = squared * np.exp(np.minimum(2.0 * NEGLIGIBLE / power, 600.0)) - 1.0  # τ²
     peaked = (reach > 0.0) & (squared > 0.0) & (length > 0.0)
+    away = squared < AWAY
     w = np.sqrt((h * h + 8.0 / power) / (1.0 + 8.0 / power))
+    w = np.where(away, np.maximum(np.abs(h), 0.7), w)
     far = np.sqrt(np.where(peaked, reach, 0.0))
     limit = np.where(peaked, far / (w + np.sqrt(w * w + far * far)), 0.0)
 
@@ -72,8 +75,7 @@ def lobe_arc(a: ArrayLike, b: ArrayLike, axis: ArrayLike, power: float) -> Array
     if count.any():
         x = (ca[count], cb[count])
         inside[count] = _gauss(h[count], squared[count], w[count], x, power)
-    away = ~peaked | (squared < AWAY)
-    return np.where(away, turn_arc(a, b, axis) - inside, inside + beyond)
+    return np.where(away | ~peaked, turn_arc(a, b, axis) - inside, inside + beyond)
 
 
 def _place(p: Array, ahead: Array, axis: Array, w: Array) -> tuple[Array, Array, Array]:

@@ -31,6 +31,7 @@ def cosine_transmitted(sine_i: ArrayLike, index_i: ArrayLike, index_t: ArrayLike
 
     cos² θ_t = (n_t − n_i sin θ_i)(n_t + n_i sin θ_i) / n_t²: near the critical angle the
     difference is formed once, before anything is squared. Arrays broadcast to (...).
+    Source: Born and Wolf, Principles of Optics, section 1.5.1, for the law.
     """
     sine_i, index_i, index_t = floats(sine_i, index_i, index_t)
     along = index_i * sine_i
@@ -91,7 +92,10 @@ def fresnel_polarised(
 def fresnel(
     cosine_i: ArrayLike, sine_i: ArrayLike, index_i: ArrayLike, index_t: ArrayLike
 ) -> Array:
-    """The share of unpolarised light that a boundary reflects: (R_s + R_p) / 2, shape (...)."""
+    """The share of unpolarised light that a boundary reflects: (R_s + R_p) / 2, shape (...).
+
+    Source: Born and Wolf, Principles of Optics, section 1.5.3.
+    """
     share_s, share_p = fresnel_polarised(cosine_i, sine_i, index_i, index_t)
     return np.asarray(0.5 * (share_s + share_p))
 
@@ -146,7 +150,8 @@ def plate_shift(
 ) -> Array:
     """How far a plane-parallel plate moves a ray aside, in units of ``thickness``; (...).
 
-    d sin θ_i (n_t cos θ_t − n_i cos θ_i) / (n_t cos θ_t). Source: Born and Wolf, section 4.7.
+    d sin θ_i (n_t cos θ_t − n_i cos θ_i) / (n_t cos θ_t): within the plate the way is d / cos θ_t
+    long and turned by θ_i − θ_t, which makes d sin(θ_i − θ_t) / cos θ_t; then Snell's law.
     """
     thickness, cosine_i, sine_i, index_i, index_t = floats(
         thickness, cosine_i, sine_i, index_i, index_t

@@ -38,6 +38,7 @@ def cut_edges(edges: Edges, up: Array) -> tuple[Edges, Edges]:
     """The parts of edges with up·x > 0, and joins between the cuts, one per edge.
 
     What is missing has no length. All cuts lie on one line, so each is joined to the first.
+    Source: Sutherland & Hodgman, Reentrant Polygon Clipping, CACM 17(1), 1974.
     """
     a, b = edges
     za, zb = dot(a, up), dot(b, up)

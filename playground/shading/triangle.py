@@ -39,7 +39,7 @@ def sheared_triangle(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> tuple[Array, A
 
     Three edge functions of the (x, y) decide. A product is rounded monotonically, so the
     sign of a difference of two is right or 0, and a ray on an edge hits: nothing slips
-    between two triangles. Without area there is nothing to hit.
+    between two triangles. Without area there is nothing to hit. Source: as `ray_shear`.
     """
     a, b, c = floats(a, b, c)
     u = c[..., 0] * b[..., 1] - c[..., 1] * b[..., 0]
@@ -56,7 +56,12 @@ def sheared_triangle(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> tuple[Array, A
 def ray_triangle(
     origin: ArrayLike, direction: ArrayLike, a: ArrayLike, b: ArrayLike, c: ArrayLike
 ) -> tuple[Array, Array]:
-    """The t and barycentric weights of ``a``, ``b``, ``c`` at the hit; edges count, both sides."""
+    """The t and barycentric weights of ``a``, ``b``, ``c`` at the hit; edges count, both sides.
+
+    Both are as good as the triangle is high: of a sliver with a height of s of its length, weights
+    are off by roundings / s, and t is that of a point of the triangle as far beside the ray.
+    Source: as `ray_shear`.
+    """
     origin, direction, a, b, c = floats(origin, direction, a, b, c)
     shear = ray_shear(direction)
     corners = [np.einsum("...ij,...j->...i", shear, corner - origin) for corner in (a, b, c)]

@@ -5,7 +5,7 @@
 
 const float TINY = 0.03;           // extent over distance below which edges lose 5e-6
 const float TINY_LOBE = 0.1;       // the same in widths of the lobe, 1/√(exponent + 1)
-const float STEEP = 0.1;           // extent over height above the equator, where powers are steep
+const float STEEP = 0.1;           // the same over the cosine to the axis: near its equator powers are steep
 
 // F = 1/π ∫ cos θ dω over the part of the polygon above the surface: 0 to 1. What does not count
 // is left out by loops of length 0: llvmpipe walks both sides of an if, but jumps out of loops.
@@ -83,14 +83,12 @@ bool lobe_misses(vec3 position, vec3 axis, vec3 corners[AREA_CORNERS], float exp
 
 // ∫ max(axis·ω, 0)^exponent dω over the directions to the polygon: 0 to 2π/(exponent + 1).
 float lobe_integral(vec3 position, vec3 axis, vec3 corners[AREA_CORNERS], float exponent, bool two_sided) {
-    vec3 seen = sighted(position, axis, corners);
+    vec3 seen = sighted(position, axis, corners), first = corners[0] - position;
     float power = exponent + 1.0;
-    vec3 first = corners[0] - position;
     bool slow = seen.x > 0.0 && seen.z * dot(first, first) < STEEP * STEEP * seen.x * seen.x;
     bool small = slow && seen.z < TINY * TINY && seen.z * power < TINY_LOBE * TINY_LOBE;
     float total = power * small_lobe(position, axis, corners, exponent, small);
-    bool nothing = small || seen.y <= 0.0 || lobe_misses(position, axis, corners, exponent);
-    int count = nothing ? 0 : AREA_CORNERS;
+    int count = small || seen.y <= 0.0 || lobe_misses(position, axis, corners, exponent) ? 0 : AREA_CORNERS;
     bool cut = false;
     vec3 anchor = vec3(0.0), a = corners[AREA_CORNERS - 1] - position;
     for (int k = 0; k < count; ++k) {
@@ -106,8 +104,7 @@ float lobe_integral_above(vec3 position, vec3 normal, vec3 axis, vec3 corners[AR
     vec3 seen = sighted(position, normal, corners);
     bool above = seen.x > 0.0;
     float total = 0.0, power = exponent + 1.0;
-    bool nothing = above || seen.y <= 0.0 || lobe_misses(position, axis, corners, exponent);
-    int count = nothing ? 0 : AREA_CORNERS;
+    int count = above || seen.y <= 0.0 || lobe_misses(position, axis, corners, exponent) ? 0 : AREA_CORNERS;
     bool cut = false, ahead_cut = false;
     vec3 anchor = vec3(0.0), ahead_anchor = vec3(0.0), join_a, join_b;
     vec3 before = corners[AREA_CORNERS - 1] - position;

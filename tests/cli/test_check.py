@@ -23,7 +23,7 @@ def written(folder, entries, name="cases.json"):
 def test_all_cases_for_a_person():
     said = ok("check", CASES).stdout
     assert "phong_lobe                      14      14       0" in said
-    assert "17 not checked: no ray tracer yet" in said
+    assert "24 not checked: no form factors yet" in said
     assert said.splitlines()[-1].startswith("427 cases (numpy): ")
 
 
@@ -35,9 +35,9 @@ def test_one_json_document(gl, backend):
     lobe = document["systems"]["phong_lobe"]
     assert (lobe["cases"], lobe["passed"], lobe["failed"], lobe["unsupported"]) == (14, 14, 0, 0)
     assert 0.0 <= lobe["worst"] <= 1.0
-    fresnel = document["systems"]["fresnel_table"]
-    assert fresnel["unsupported"] == 17 and fresnel["worst"] is None
-    assert len(fresnel["reasons"]["no ray tracer yet"]) == 17
+    pairs = document["systems"]["form_factor_pair"]
+    assert pairs["unsupported"] == 24 and pairs["worst"] is None
+    assert len(pairs["reasons"]["no form factors yet"]) == 24
 
 
 def test_only_the_systems_asked_for():
@@ -69,6 +69,29 @@ def test_inputs_that_make_no_sense_fail_without_a_traceback(tmp_path, entries):
     assert json.loads(done.stdout)["failures"][0]["ratio"] is None
 
 
+def test_more_pixels_than_memory_fail_their_case_alone(tmp_path, entries):
+    entry = next(entry for entry in entries if entry["system"] == "raster_coverage")
+    corners = [[[0.0, 0.0], [1e6, 0.0], [0.0, 1e6]]]
+    inputs = {"viewport": [10**6, 10**6], "triangles": corners}
+    path = written(tmp_path, [{**entry, "inputs": inputs}])
+    assert "ValueError: 1000000 x 1000000 pixels" in run("check", path).stdout
+
+
+@pytest.mark.gl
+@pytest.mark.parametrize(
+    ("system", "wrong"),
+    [("attenuation", {"kc": []}), ("polygon_form_factor", {"polygon": [1, 2, 3, 4]})],
+)
+def test_inputs_that_the_gpu_cannot_take_fail_without_a_traceback(
+    gl, tmp_path, entries, system, wrong
+):
+    entry = next(entry for entry in entries if entry["system"] == system)
+    path = written(tmp_path, [{**entry, "inputs": {**entry["inputs"], **wrong}}])
+    done = run("check", path, "--backend", "gl")
+    assert done.returncode == 1 and done.stderr == ""
+    assert "takes no such arguments" in done.stdout
+
+
 CASE = {
     "id": "A",
     "system": "phong_pow",
@@ -86,6 +109,7 @@ BAD = {
     "a case that is none": ('{"cases": [7]}', "cases[0] is no object"),
     "no id": (json.dumps({"cases": [{**CASE, "id": None}]}), "cases[0].id must be text"),
     "no inputs": (json.dumps({"cases": [{**CASE, "inputs": 3}]}), "cases[0].inputs must be an obj"),
+    "nothing expected": (json.dumps({"cases": [{**CASE, "expected": {}}]}), "must name an output"),
     "no tolerance": (json.dumps({"cases": [{**CASE, "tolerance_f64": {}}]}), "tolerance_f64.value"),
     "tolerance below 0": (
         json.dumps({"cases": [{**CASE, "tolerance_f64": {"value": {"abs": -1, "rel": 0}}}]}),
@@ -99,6 +123,12 @@ BAD = {
 }  # fmt: skip
 
 
+def test_a_mark_of_the_byte_order_is_no_mistake(tmp_path):
+    text = json.dumps({"cases": [CASE]})
+    (tmp_path / "cases.json").write_text(text, encoding="utf-8-sig")
+    ok("check", "cases.json", cwd=tmp_path)
+
+
 @pytest.mark.parametrize("name", BAD)
 def test_a_file_that_is_none_is_refused(tmp_path, name):
     text, words = BAD[name]
@@ -110,7 +140,7 @@ def test_a_file_that_is_none_is_refused(tmp_path, name):
     ("arguments", "words"),
     [
         (("nothing.json",), "there is no file nothing.json"),
-        (("/",), "is a folder"),
+        (("/",), "playground: / is a folder; allowed: a file."),
         ((CASES, "--backend", "cuda"), "unknown backend"),
         ((CASES, "--system", "phong_powr"), "Did you mean 'phong_pow'?"),
         ((), "the following arguments are required: CASES"),

@@ -90,13 +90,14 @@ def test_specular_power():
     assert "20: 2 times as long as Schlick" in told and "off by up to 0.1 %" in told
 
 
-def test_area_light():
+@pytest.mark.parametrize("name", ["area-light", "area-light-gl"])
+def test_area_light(name):
     closed = row("closed form", 10.0, 1e-15, "c")
     few = row("uniform samples", 1.0, 0.4, "c", samples=1)
     many = row("uniform samples", 9.0, 0.2, "c", samples=4)
-    told = finding("area-light", closed, few, many)
+    told = finding(name, closed, few, many)
     assert "in its time fit 4 uniform samples, off by 20 %" in told and "power -0.50" in told
-    dear = finding("area-light", row("closed form", 0.5, 1e-15, "c"), few, many)
+    dear = finding(name, row("closed form", 0.5, 1e-15, "c"), few, many)
     assert "1 uniform samples take 2 times its time" in dear
 
 

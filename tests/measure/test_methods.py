@@ -1,11 +1,13 @@
 """The rivals of the experiments do what they are said to do."""
 
+from contextlib import closing
+
 import numpy as np
 import pytest
 
 from playground.measure import area_samples as light
 from playground.measure.experiments.anti_aliasing import reference_batches
-from playground.measure.experiments.area_light import CASES, _closed, _reference, judged
+from playground.measure.experiments.area_light import CASES, SHININESS, _closed, judged, reference
 from playground.measure.experiments.specular_power import EVALUATIONS
 from playground.measure.power_methods import (
     TO_EYE,
@@ -94,9 +96,31 @@ def test_samples_of_the_square_are_right_on_average(rng):
 
 @pytest.mark.parametrize("case", CASES)
 def test_the_closed_forms_agree_with_quadrature(case):
-    want = _reference(case, (8, 6))
+    want = reference(case, (8, 6))
     # What `playground.shading.area_light` promises: 2e-15 + 1e-11 of a factor.
     np.testing.assert_allclose(_closed(case, (8, 6)), want, rtol=1e-11, atol=2e-15)
+
+
+@pytest.mark.gl
+@pytest.mark.parametrize(("integral", "case"), [("diffuse", CASES[0]), ("highlight", CASES[1])])
+def test_the_shader_sums_what_numpy_sums(gl, integral, case):
+    from playground.measure.area_pass import AreaPass
+
+    size, runs = (8, 6), 200
+    want = reference(case, size)
+    with closing(AreaPass(integral, "closed", 0, SHININESS, size)) as drawn:
+        # What the float32 twin promises, and the axis rounded: 2^-23, which the exponent raises.
+        rtol = 2e-5 + 20 * 2.0**-23
+        np.testing.assert_allclose(drawn.values(), want, rtol=rtol, atol=4e-7)
+    spread = []
+    for method in ("uniform", "stratified"):
+        with closing(AreaPass(integral, method, 16, SHININESS, size)) as drawn:
+            some = np.array([drawn.values(seed) for seed in range(runs)], np.float64)
+        error = np.std(some, axis=0, ddof=1) / np.sqrt(runs)
+        # 48 points, 5 standard errors, and the seeds are fixed; 4e-7 of rounding.
+        assert (np.abs(np.mean(some, axis=0) - want) < 5 * error + 4e-7).all()
+        spread.append(error.max())
+    assert spread[1] < spread[0]
 
 
 def test_the_errors_of_runs_are_their_mean_with_its_standard_error():

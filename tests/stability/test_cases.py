@@ -110,6 +110,7 @@ RULE = [
     ([1, 2, 3, 5], [1, 2, 3, 4], "exact", False, math.inf),
     (np.bool_(True), True, "exact", True, 0.0),
     (1e200, 2e200, {"abs": 0.0, "rel": 0.5}, True, 1.0),  # the squares overflow, the norm does not
+    (1e-200, 2e-200, {"abs": 0.0, "rel": 0.5}, True, 1.0),  # nor do they vanish
     (1e200, 4e200, {"abs": 0.0, "rel": 0.5}, False, 1.5),
 ]
 

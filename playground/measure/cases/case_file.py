@@ -40,8 +40,9 @@ def read_cases(path: Path, precision: str) -> list[Case]:
     PlaygroundError
         There is no such file, it is no JSON, or its JSON is not of this format.
     """
+    data = read_bytes(path)
     try:
-        content = json.loads(read_bytes(path).decode("utf-8"))
+        content = json.loads(data.decode("utf-8-sig"))
     except UnicodeDecodeError as error:
         raise PlaygroundError(f"{path} is not text", got=error.reason, allowed="UTF-8") from None
     except (ValueError, RecursionError) as error:
@@ -65,6 +66,8 @@ def _case(path: Path, number: int, entry: Any, precision: str) -> Case:
         if not isinstance(entry.get(key), kind):
             what = f"cases[{number}].{key} must be {'text' if kind is str else 'an object'}"
             raise _no_case_file(path, what, entry.get(key, "nothing"))
+    if not entry["expected"]:
+        raise _no_case_file(path, f"cases[{number}].expected must name an output", {})
     for key, value in entry["expected"].items():
         allowed = entry[tolerance_key].get(key)
         if not _is_tolerance(allowed):

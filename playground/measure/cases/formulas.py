@@ -51,7 +51,14 @@ def _on_gpu(library: str, name: str, arguments: tuple[Any, ...]) -> Any:
     """Call a GLSL function as its NumPy twin is called: arrays broadcast, results are arrays.
 
     ``out`` parameters follow the result, as further members of a tuple.
+
+    Raises
+    ------
+    ValueError
+        The arguments have no such shape as the function takes.
     """
+    import moderngl
+
     from playground.render.gl import probe
 
     signature = probe.signatures(library)[name]
@@ -72,7 +79,10 @@ def _on_gpu(library: str, name: str, arguments: tuple[Any, ...]) -> Any:
             rows.append(full.reshape(-1, width))
         elif not kind.startswith("sampler"):
             rows.append(np.asarray(argument))
-    result = probe.call(library, name, *rows, texels=texels).reshape(prod(shape), -1)
+    try:
+        result = probe.call(library, name, *rows, texels=texels).reshape(prod(shape), -1)
+    except moderngl.Error as error:
+        raise ValueError(f"{library}.{name} takes no such arguments: {error}") from None
 
     outputs, start = [], 0
     kinds = [signature.result, *(kind for way, kind, _ in signature.parameters if way == "out")]

@@ -16,12 +16,15 @@ from playground.render.raster.coverage import covered_pixels
 from playground.render.raster.depth import perspective_weights
 
 Outputs = dict[str, Any]
+MOST_PIXELS = 2**25  # an 8K screen; the memory of a computer ends soon after
 
 
 def raster_coverage(inputs: Outputs, formulas: Any) -> Outputs:
     """Which pixel centres triangles cover, counted."""
     triangles = np.asarray(inputs["triangles"], np.float64)
     width, height = inputs["viewport"]
+    if width * height > MOST_PIXELS:
+        raise ValueError(f"{width} x {height} pixels are more than {MOST_PIXELS}")
     left, top = inputs.get("origin", (0, 0))
     fragments = covered_pixels(triangles, (width, height), (left, top))
     places = np.stack([fragments.column, fragments.row])

@@ -36,9 +36,7 @@ def judge(got: Any, expected: Any, tolerance: Tolerance) -> tuple[bool, float]:
         return False, math.inf
     assert not isinstance(tolerance, str)
     wanted = [float(x) for x in want]
-    norm = math.sqrt(sum(x * x for x in wanted))
-    if not math.isfinite(norm):  # the squares are beyond float64, the norm may not be
-        norm = math.hypot(*wanted)
+    norm = math.hypot(*wanted)  # squares would leave the range of float64 long before the norm
     limit = tolerance["abs"] + tolerance["rel"] * norm
     errors = [abs(float(a) - b) for a, b in zip(have, wanted, strict=True)]
     worst = max(errors, default=0.0) if all(map(math.isfinite, errors)) else math.inf

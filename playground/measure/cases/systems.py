@@ -48,16 +48,13 @@ SYSTEMS: dict[str, System] = {
     "ray_box": System(rays.ray_box),
     "ray_offset": System(rays.ray_offset),
     "refract": System(rays.refract),
+    "fresnel_table": System(rays.fresnel_table),
+    "slab": System(rays.slab),
+    "glass_ball": System(rays.glass_ball),
+    "nested_dielectrics": System(rays.nested_dielectrics),
+    "mirror_recursion": System(rays.mirror_recursion, cpu=True),
     "depth_reversed_z": System(
         missing="depth runs from -w to w as OpenGL has it, where reversing gains no digit"
-    ),
-    **_waiting(
-        "no ray tracer yet",
-        "fresnel_table",
-        "slab",
-        "glass_ball",
-        "nested_dielectrics",
-        "mirror_recursion",
     ),
     **_waiting("a torus is a mesh here: no ray meets its equation", "ray_torus"),
     **_waiting(

@@ -16,12 +16,19 @@ EXPERIMENTS = (
     "precision",
     "specular-power",
     "area-light",
+    "area-light-gl",
     "normal-interpolation",
     "anti-aliasing",
     "renderer",
     "cost",
     "frames",
     "first-image",
+    "depth",
+    "shadow-samples",
+    "bvh",
+    "rays",
+    "trace-precision",
+    "offset",
 )
 
 

@@ -64,7 +64,8 @@ def _sampling(case: str, size: tuple[int, int], count: int, stratified: bool) ->
 
 
 @lru_cache(maxsize=4)
-def _reference(case: str, size: tuple[int, int]) -> Array:
+def reference(case: str, size: tuple[int, int]) -> Array:
+    """The converged integral at every point of a floor of this size, (H, W)."""
     points = light.floor(size)
     rows = [light.converged(row, _integrand(case, row)) for row in points]
     return np.stack(rows)
@@ -86,7 +87,7 @@ def _candidate(
     def errors() -> Errors:
         rng = np.random.default_rng(SEED)
         runs = [work(rng) for _ in range(RUNS if knobs else 1)]
-        return judged(runs, _reference(case, size))
+        return judged(runs, reference(case, size))
 
     return Candidate(method, knobs, opened, errors, case)
 
