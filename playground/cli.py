@@ -111,8 +111,10 @@ def _add_render(subparsers: Subparsers) -> None:
     render = subparsers.add_parser("render", help="a setup as a picture")
     render.add_argument("setup", metavar="SETUP")
     render.add_argument("-o", "--output", type=Path, required=True, help=".png, .exr or .npy")
-    render.add_argument("--sheet", help="a figure of the lecture: terms, shininess or shading")
-    render.add_argument("--method", default="raster", help="raster")
+    render.add_argument("--sheet", help="a figure: terms, shininess, shading; depth, tests")
+    render.add_argument("--method", default="raster", help="raster or ray-tracing")
+    render.add_argument("--depth", help="ray tracing: bounces followed, 5 unless given")
+    render.add_argument("--samples", help="samples per pixel: 1 to 16")
     _picture_options(render)
     render.set_defaults(run=commands.render)
 
@@ -136,6 +138,8 @@ def _add_explain(subparsers: Subparsers) -> None:
     explain.add_argument("--pixel", nargs=2, type=int, required=True, metavar=("X", "Y"))
     explain.add_argument("--json", action="store_true", help="one JSON document, nothing else")
     explain.add_argument("--latex", action="store_true", help="the equation as LaTeX")
+    explain.add_argument("--method", default="raster", help="raster or ray-tracing: the ray tree")
+    explain.add_argument("--depth", help="ray tracing: bounces followed, 5 unless given")
     _picture_options(explain)
     explain.set_defaults(run=commands.explain)
 

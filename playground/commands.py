@@ -24,6 +24,8 @@ SHEET_SETS = {  # the options that a sheet decides itself
     "terms": ("terms", "shading"),
     "shininess": ("shininess",),
     "shading": ("shading",),
+    "depth": ("shading",),
+    "tests": ("shading",),
 }
 
 
@@ -35,8 +37,8 @@ def _setup(options: Namespace, name: str | None = None) -> Setup:
     setup = load(options.setup if name is None else name)
     if options.light:
         setup = setup.with_(lights=tuple(parse_light(text) for text in options.light))
-    for key in ("shading", "terms", "shininess", "precision", "marks"):
-        if getattr(options, key) is not None:
+    for key in ("shading", "terms", "shininess", "precision", "marks", "depth", "samples"):
+        if getattr(options, key, None) is not None:
             setup = assign(setup, f"{key}={getattr(options, key)}")
     for assignment in options.set:
         setup = assign(setup, assignment)
@@ -59,10 +61,13 @@ def render(options: Namespace) -> int:
 
     suffix = check_suffix(options.output)
     check_method(options.method)
+    raster = options.method == "raster"
     if options.sheet is not None:
+        if not raster and options.sheet not in ("depth", "tests"):
+            raise PlaygroundError("this sheet is drawn by --method raster", got=options.method)
         return _sheet(options, suffix)
     setup = _setup(options)
-    if suffix == ".png" and not setup.settings.marks:
+    if raster and suffix == ".png" and not setup.settings.marks:
         renderer = _save_png(options, setup)
     else:
         image = _picture(options, setup)
@@ -71,9 +76,13 @@ def render(options: Namespace) -> int:
         if setup.settings.marks:
             counts = image.marks()
             _say("pixels: " + ", ".join(f"{counts[kind]} {kind}" for kind in setup.settings.marks))
+        for said in (*image.warnings, image.left_out):
+            if said is not None:
+                _say(str(said))
     width, height = options.size or DEFAULT_SIZE
     _say(f"{options.output}  {width}x{height}  {renderer}")
-    _hint(options.renderer, renderer)
+    if raster:
+        _hint(options.renderer, renderer)
     return 0
 
 
@@ -161,9 +170,10 @@ def _picture_or_setup(options: Namespace, name: str) -> Image:
 
 def explain(options: Namespace) -> int:
     """Print why a pixel has its colour."""
-    from playground.explain.pixel import explain
+    from playground.explain.method import explain
 
-    why = explain(_setup(options), tuple(options.pixel), options.size or DEFAULT_SIZE)
+    size = options.size or DEFAULT_SIZE
+    why = explain(_setup(options), tuple(options.pixel), size, options.method)
     if options.json:
         _print_json(why.to_dict())
     else:

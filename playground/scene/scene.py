@@ -81,7 +81,6 @@ class Object(Declared):
         source = _source(self.mesh, self.tessellation, state)
         return Geometry(_with_normals(source.mesh, self.normals), source.offset)
 
-
     @cached_property
     def ball(self) -> tuple[NDArray[np.float64], float]:
         """Centre (3,) and radius of a ball around the object, in world units."""

@@ -63,7 +63,11 @@ class Settings(Declared):
     )
     depth: int = integer(5, 0, 100, help="ray tracing: bounces followed; 0 for primary rays only")
     threshold: float = number(
-        0.004, 0.0, 1.0, help="ray tracing: a ray that weighs less in every channel is not shot"
+        0.004,
+        0.0,
+        1.0,
+        scale="log",
+        help="ray tracing: a ray that weighs less in every channel is not shot",
     )
     light_samples: int = integer(
         16, 1, 1024, help="ray tracing: shadow rays to each area light; more are smoother"

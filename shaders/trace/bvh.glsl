@@ -6,7 +6,8 @@
 #include "lib/triangle.glsl"
 #include "trace/bvh_box.glsl"
 
-const uint BVH_LEAF = 0x80000000u;
+const uint BVH_LEAF = 0x80000000u;         // alone: a leaf without triangles
+const uvec3 BVH_WHOLE = uvec3(0xffff0000u);  // the box around all cells
 
 ivec2 bvh_texel(int number) {
     return ivec2(number & ((1 << BVH_ROW_BITS) - 1), number >> BVH_ROW_BITS);
@@ -24,7 +25,9 @@ void sort_children(inout float entry_a, inout float entry_b, inout uint a, inout
     }
 }
 
-// The walk of both functions below; it stops at the first hit of all if any_hit.
+// The walk of both functions below; it stops at the first hit of all if any_hit. A ray that misses
+// the box of the whole tree does not set out. Loops of their own lead down to a leaf and through it:
+// llvmpipe jumps over a loop that no pixel of a group needs, and walks both sides of an if.
 void bvh_walk(usampler2D nodes, sampler2D corners, uint root, vec3 low, vec3 cell, vec3 origin,
               vec3 direction, bool any_hit, inout float limit, out int slot, out vec3 weights) {
     slot = -1;
@@ -34,25 +37,9 @@ void bvh_walk(usampler2D nodes, sampler2D corners, uint root, vec3 low, vec3 cel
     uint waiting[BVH_STACK];
     int count = 0;
     uint word = root;
-    while (true) {
-        bool done = true;
-        if (word >= BVH_LEAF) {
-            int first = int((word - BVH_LEAF) >> 4u);
-            int end = first + int(word & 15u);
-            for (int k = first; k < end; k++) {
-                vec3 a = texelFetch(corners, bvh_texel(3 * k), 0).xyz - origin;
-                vec3 b = texelFetch(corners, bvh_texel(3 * k + 1), 0).xyz - origin;
-                vec3 c = texelFetch(corners, bvh_texel(3 * k + 2), 0).xyz - origin;
-                vec3 found;
-                float t = sheared_triangle(shear * a, shear * b, shear * c, found);
-                if (t > 0.0 && t < limit) {
-                    limit = t;
-                    slot = k;
-                    weights = found;
-                }
-            }
-            if (any_hit && slot >= 0) return;
-        } else {
+    bool walking = enter_box(ray, BVH_WHOLE, limit) < BVH_NONE;
+    while (walking) {
+        while (word < BVH_LEAF) {
             int texel = 4 * int(word);
             uvec4 a = texelFetch(nodes, bvh_texel(texel), 0);
             uvec4 b = texelFetch(nodes, bvh_texel(texel + 1), 0);
@@ -68,13 +55,24 @@ void bvh_walk(usampler2D nodes, sampler2D corners, uint root, vec3 low, vec3 cel
             if (entry.w < BVH_NONE) waiting[count++] = d.w;
             if (entry.z < BVH_NONE) waiting[count++] = c.w;
             if (entry.y < BVH_NONE) waiting[count++] = b.w;
-            done = entry.x == BVH_NONE;
-            word = a.w;
+            word = entry.x < BVH_NONE ? a.w : count > 0 ? waiting[--count] : BVH_LEAF;
         }
-        if (done) {
-            if (count == 0) return;
-            word = waiting[--count];
+        int first = int((word - BVH_LEAF) >> 4u);
+        int end = first + int(word & 15u);
+        for (int k = first; k < end; k++) {
+            vec3 a = texelFetch(corners, bvh_texel(3 * k), 0).xyz - origin;
+            vec3 b = texelFetch(corners, bvh_texel(3 * k + 1), 0).xyz - origin;
+            vec3 c = texelFetch(corners, bvh_texel(3 * k + 2), 0).xyz - origin;
+            vec3 found;
+            float t = sheared_triangle(shear * a, shear * b, shear * c, found);
+            if (t > 0.0 && t < limit) {
+                limit = t;
+                slot = k;
+                weights = found;
+            }
         }
+        walking = count > 0 && !(any_hit && slot >= 0);
+        if (walking) word = waiting[--count];
     }
 }
 

@@ -41,13 +41,20 @@ vec3 mixed_on_mesh(int i, int slot, vec3 weights, out vec2 texcoord) {
     texcoord = vec2(0.0);
     for (int k = 0; k < 3; ++k) {
         vec4 corner = texelFetch(bvh_normals, bvh_texel(3 * slot + k), 0);
-        mixed += weights[k] * mesh_normal(i, corner.xyz);
+#if STRETCHED              // or else turning and mixing may change places
+        corner.xyz = mesh_normal(i, corner.xyz);
+#endif
+        mixed += weights[k] * corner.xyz;
 #if TEXTURES > 0
         float u = texelFetch(bvh_corners, bvh_texel(3 * slot + k), 0).w;
         texcoord += weights[k] * vec2(u, corner.w);
 #endif
     }
+#if STRETCHED
     return unit(mixed);
+#else
+    return mesh_normal(i, mixed);
+#endif
 }
 
 #if CLEAR_SHADOWS

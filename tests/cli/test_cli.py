@@ -193,3 +193,22 @@ def test_a_model_file_gets_a_sensible_view(tmp_path):
     image = pg.render(pg.load(tmp_path / "ball.ply"), (80, 60), "numpy")
     assert 0.2 < image.coverage.mean() < 0.8
     assert 0.3 < image.pixels.max() <= 2
+
+
+def test_ray_tracing_from_the_command_line(tmp_path):
+    """Depth and samples reach the picture, and what the cut-off left out is told."""
+    file = tmp_path / "a.npy"
+    traced = ("--method", "ray-tracing", "--depth", "2", "--samples", "4")
+    done = ok("render", "whitted-room", "-o", file, *SMALL, *traced)
+    setup = pg.load("whitted-room").with_(depth=2, samples=4)
+    image = pg.render(setup, (64, 48), "numpy", method="ray-tracing")
+    assert np.array_equal(np.load(file), image.pixels)
+    assert image.left_out.max > 0.0 and str(image.left_out) in done.stderr
+    assert "GL driver" not in done.stderr
+
+
+def test_ray_tracing_says_what_the_picture_will_show(tmp_path):
+    glass = ("--method", "ray-tracing", "--set", "transmittance=1,1,1", "--shading", "flat")
+    done = ok("render", "teapot", "-o", tmp_path / "a.png", "--size", "16x12", *glass)
+    assert "open glass: object 0 (teapot)" in done.stderr
+    assert "shading: flat is ignored" in done.stderr

@@ -149,7 +149,17 @@ class Hands:
         self.frames()
 
     def do(self, script):
-        """Run ``script(engine)`` by the ImGui test engine, which finds widgets by their labels."""
+        """Run ``script(engine)`` by the ImGui test engine, which finds widgets by their labels.
+
+        It finds only what is built, so that all panels are, in sight or not.
+        """
+        from playground.gui import out_of_sight
+
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(out_of_sight, "MARGIN", float("inf"))
+            self._run(script)
+
+    def _run(self, script):
         if self.window.ui.engine is None:
             pytest.skip("the ImGui test engine cannot run here")
         engine = self.window.ui.engine

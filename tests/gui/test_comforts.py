@@ -66,7 +66,7 @@ def test_what_a_command_line_cannot_say_is_refused():
 
 
 def test_presets_are_materials_that_know_their_names():
-    from playground.gui.presets import PRESETS, preset, preset_of
+    from playground.scene.presets import PRESETS, preset, preset_of
 
     assert len(PRESETS) >= 12 and preset_of(Material()) == ""
     for name in PRESETS:
@@ -221,7 +221,7 @@ def test_the_command_goes_to_the_clipboard(hands):
 
 @pytest.mark.gl
 def test_a_preset_is_chosen_from_its_list(hands):
-    from playground.gui.presets import preset_of
+    from playground.scene.presets import preset_of
 
     def choose(engine):
         engine.item_click("Controls/Material/##preset")

@@ -2,14 +2,13 @@
 
 import time
 from dataclasses import replace
-from threading import Event
 
 import numpy as np
 import pytest
 
+from playground.explain.colour_map import colour_of
 from playground.gui import reference
 from playground.gui.difference import differ
-from playground.measure.colour_map import colour_of
 from playground.render.numpy_renderer import NumpyRenderer
 from playground.scene.library import load
 
@@ -42,14 +41,10 @@ def test_the_reference_is_the_numpy_renderers_picture(name, samples):
     expected = np.empty((VIEW[1], VIEW[0], 4), dtype=np.uint8)
     with NumpyRenderer(VIEW) as renderer:
         renderer.render(setup, out=expected)
-    np.testing.assert_array_equal(reference.reference_codes(setup, VIEW, Event()), expected)
-
-
-def test_a_superseded_picture_is_given_up():
-    stop = Event()
-    stop.set()
-    with pytest.raises(reference._SupersededError):
-        reference.reference_codes(load("teapot"), VIEW, stop)
+    pieces = list(reference.coded(setup, VIEW))
+    np.testing.assert_array_equal(pieces[-1].item, expected)
+    shares = [piece.share for piece in pieces]
+    assert shares == sorted(shares) and shares[0] == 0.0 and shares[-1] == 1.0
 
 
 @pytest.mark.gl

@@ -113,6 +113,10 @@ def test_the_equation_says_the_numbers_of_the_point():
     assert said == (f"{light.diffuse_factor:.3f} ·", "(1, 1, 1) ⊗", "(0.66, 0.3, 0.14)")
     blinn = explain(load("teapot").with_(highlight="blinn"), (390, 309), (920, 651))
     assert formula("specular", blinn)[1:4] == ("n", "·", "h")
+    assert formula("specular", why, area=True)[:2] == ("1/π ∫ max(", "r")
+    fitted = formula("specular", blinn, area=True)
+    assert fitted[0].startswith("≈") and fitted[1:4] == ("n", "·", "h")
+    assert fitted[-1].strip() == "by a fitted lobe"
     off = explain(load("teapot").with_(terms=("ambient",)), (390, 309), (920, 651))
     assert numbers("diffuse", off, point, light) == ("switched off",)
 

@@ -148,7 +148,7 @@ def test_neat_numbers_have_the_decimals_that_the_scene_needs():
     assert neat((1.23456789e-6, 0, 0), 1e-6) == (1.23457e-6, 0.0, 0.0)
 
 
-@pytest.mark.parametrize("kind", ["directional", "point", "spot"])
+@pytest.mark.parametrize("kind", ["directional", "point", "spot", "rectangle", "polygon"])
 def test_dragging_a_light_changes_that_light_alone(kind):
     setup, size = load("teapot"), (920, 650)
     setup = exchanged(setup, 0, converted(setup.scene.lights[0], kind, setup))

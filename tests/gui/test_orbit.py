@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from playground.gui.orbit import STEEPEST, dolly, orbit, pan, widened
-from playground.render.projection import view_rotation
+from playground.render.projection import vertical_angle, view_rotation
 from playground.scene.camera import Camera
 
 CAMERAS = [
@@ -79,8 +79,10 @@ def test_dolly_stops_at_its_limits_and_comes_back():
     assert distance(dolly(outside, 0.9, 1.0, 10.0)) == pytest.approx(45.0)
 
 
-def test_a_narrow_picture_sees_as_far_to_the_sides():
+@pytest.mark.parametrize("aspect", [0.1, 0.5, 0.99, 1.0, 1.2, 4 / 3])
+def test_a_narrow_picture_sees_as_far_to_the_sides(aspect):
     camera = Camera(fov=30.0)
     assert widened(camera, 1.5) is camera
-    half = np.tan(np.radians(widened(camera, 0.5).fov / 2)) * 0.5
+    seen = vertical_angle(widened(camera, aspect), aspect)
+    half = np.tan(np.radians(seen / 2)) * aspect
     assert half == pytest.approx(np.tan(np.radians(15.0)) * 4 / 3)

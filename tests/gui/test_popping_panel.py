@@ -172,7 +172,7 @@ def test_the_window_measures_beside_its_frames(panel):
 @pytest.mark.gl
 def test_cancel_stops_and_a_change_measures_again(panel):
     panel.do(lambda c: c.item_click(f"{PANEL}/###measure"))
-    assert not panel.state.scope.running and panel.state.scope.share < 1.0
+    assert not panel.state.scope.running and panel.state.scope.progress.share < 1.0
     panel.frames(3)
     assert not panel.state.scope.running
     panel.window.state = actions.toggle_term(panel.state, "specular")
@@ -200,3 +200,26 @@ def test_measuring_leaves_the_picture_as_it_is(panel):
     finish(panel)
     seen = panel.pixels()
     np.testing.assert_array_equal(seen, panel.expected((seen.shape[1], seen.shape[0])))
+
+
+@pytest.mark.gl
+def test_the_line_in_a_plot_is_dragged_along_the_path(panel):
+    finish(panel)
+    panel.do(lambda c: c.item_input_value(f"{PANEL}/##angle", 90.0))
+    places, others = [], ("View", "Terms", "Material")
+    for name in others:  # all of the panel is to be seen
+        panel.do(lambda c, name=name: c.item_close(f"//Controls/{name}"))
+    panel.frames(3)
+    first = "##brightest point of the highlight"
+    panel.do(lambda c: places.append(c.item_info(f"{PANEL}/{first}").rect_full))
+    (plot,) = places
+    high, wide = (plot.min.y + plot.max.y) / 2.0, plot.max.x - plot.min.x
+    # 90 is a quarter of the axis, which begins right of its numbers.
+    for x in range(int(plot.min.x + 0.25 * wide), int(plot.min.x + 0.5 * wide), 4):
+        panel.drag((float(x), high), (x + 0.3 * wide, high), steps=2)
+        if panel.state.scope.angle != 90.0:
+            break
+    for name in others:
+        panel.do(lambda c, name=name: c.item_open(f"//Controls/{name}"))
+    assert 150.0 < panel.state.scope.angle < 270.0
+    assert len(panel.state.history.past) == 2  # the typed angle, and the drag

@@ -37,6 +37,7 @@ def test_weights_and_angles():
     assert spans.span(knobs(Settings)["diffuse_weight"], 1.0) == (0.0, 2.0)
     assert spans.span(knobs(LIGHTS["spot"])["inner_angle"], 15.0) == (0.0, 180.0)
     assert spans.span(knobs(Settings)["diffuse_weight"], 7.0) == (0.0, 7.0)
+    assert spans.span(knobs(LIGHTS["rectangle"])["turn"], 0.0) == (-360.0, 360.0)
 
 
 @pytest.mark.parametrize(
@@ -50,6 +51,7 @@ def test_formats():
     assert spans.number_format(knobs(LIGHTS["spot"])["inner_angle"], 0, 180) == "%.3g°"
     assert spans.number_format(knobs(Settings)["diffuse_weight"], 0, 2) == "%.2f"
     assert spans.number_format(knobs(Material)["shininess"], 0.6, 640) == "%.3g"
+    assert spans.number_format(knobs(LIGHTS["rectangle"])["width"], 0.06, 64) == "%.3g"
 
 
 @pytest.mark.parametrize("kind", EVERY)
@@ -58,3 +60,4 @@ def test_every_knob_has_a_hint_that_says_its_default(kind):
         hint = spans.hint(knob)
         assert hint.strip() == hint and knob.help in hint
         assert not knob.symbol or knob.symbol in hint
+        assert ("right-click" in hint) <= (knob.kind in spans.RIGHT_CLICK)

@@ -228,3 +228,19 @@ def test_no_mistakes_and_not_too_much_glass(gl):
     many = tuple(Object(material=glass) for _ in range(33))
     with pytest.raises(PlaygroundError, match="too many solids of glass"):
         traced(replace(setup, scene=replace(setup.scene, objects=many)))
+
+
+def test_more_images_than_the_driver_looks_up_at_once(gl):
+    most = int(gl.info["GL_MAX_TEXTURE_IMAGE_UNITS"])
+    setup = pg.load("textured")
+    tiles = setup.scene.objects[0].material
+
+    def many(count):
+        materials = [replace(tiles, shininess=1.0 + k) for k in range(count)]
+        objects = tuple(Object(mesh="quad", material=material) for material in materials)
+        return replace(setup, scene=replace(setup.scene, objects=objects))
+
+    traced(many(most), (4, 3))
+    with pytest.raises(PlaygroundError, match="too many textures") as raised:
+        traced(many(most + 1), (4, 3))
+    assert "--renderer numpy" in str(raised.value)

@@ -120,6 +120,11 @@ def bvh_of(mesh: Mesh) -> Bvh:
     return found
 
 
+def is_built(mesh: Mesh) -> bool:
+    """Whether `bvh_of` has the tree of ``mesh`` at hand."""
+    return mesh in _built
+
+
 def _in_unit_cube(low: Array, high: Array) -> Singles:
     """Lowest sides and minus the highest, (6, F), moved and scaled into 0..1 and −1..0."""
     if low.shape[1] == 0:

@@ -74,6 +74,8 @@ def _solids(scene: TracedScene, layout: Layout) -> Symbols:
             symbols[f"BLOCKING_{kind.upper()}(DO)"] = _each(solid)
             symbols[f"CLEAR_{kind.upper()}(DO)"] = _each(glass)
         symbols[group] = start
+    meshes = [scene.solids[n].surface for n in layout.kinds["mesh"]]
+    symbols["STRETCHED"] = int(any(surface.stretched for surface in meshes))
     symbols["CLEAR_SHADOWS"] = int(any(symbols[f"CLEAR_{kind.upper()}(DO)"] for kind in KINDS))
     return symbols
 

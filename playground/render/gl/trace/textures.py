@@ -27,6 +27,19 @@ class Textures:
         self._placed: Placed | None = None
         self._trees: Trees | None = None
 
+    def check(self, placed: Placed) -> None:
+        """Raise `PlaygroundError` if a scene looks up more textures than a shader may."""
+        images = sum(look.texels is not None for look in placed.layout.looks)
+        others = (1 if "area" in placed.layout.lights else 0) + (3 if placed.trees else 0)
+        most = int(self._context.info["GL_MAX_TEXTURE_IMAGE_UNITS"])
+        if images + others > most:
+            raise PlaygroundError(
+                "too many textures for the ray tracer on the GPU",
+                got=f"{images} materials with an image",
+                allowed=f"up to {most - others} with this driver and scene",
+                fix="Use fewer images, or --renderer numpy.",
+            )
+
     def bind(self, placed: Placed, program: TraceProgram) -> None:
         """Make what the program looks up ready: images first."""
         if placed is not self._placed:

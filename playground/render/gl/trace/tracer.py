@@ -162,6 +162,7 @@ class GLTracer:
 
         placed = self._standing.placed if again else None
         placed = placed or self._standing.place(setup, self.size)
+        self._textures.check(placed)
         view = view_of(setup.camera, surfaces_of(placed.scene), self.size)
         program = self._program(placed, display, samples > 1)
         program.write(camera_values(view, placed.view, setup.camera, self.size, offset))
