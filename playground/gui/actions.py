@@ -10,12 +10,21 @@ from pathlib import Path
 
 from playground.errors import PlaygroundError
 from playground.gui.history import History
-from playground.gui.state import LARGEST_TEXT, LAYOUTS, SMALLEST_TEXT, State
+from playground.gui.reading import Reading, large_meshes
+from playground.gui.state import (
+    LARGEST_TEXT,
+    LAYOUTS,
+    RASTER,
+    REFERENCE,
+    SMALLEST_TEXT,
+    TRACED,
+    Moment,
+    State,
+)
 from playground.gui.wording import difference
 from playground.render.surface import surfaces
 from playground.scene.library import load
 from playground.scene.settings import TERMS, Settings
-from playground.scene.setup import Setup
 from playground.scene.setup_file import save
 
 RECENT = 10  # files that are remembered
@@ -23,7 +32,14 @@ LARGER = 1.2  # one step of the text size
 
 
 def open_setup(state: State, name: str | Path) -> State:
-    """Open a setup of the library or a file; where that fails, say why and change nothing."""
+    """Open a setup of the library or a file; where that fails, say why and change nothing.
+
+    What takes long to read is read beside the window, which opens it when it is there.
+    """
+    meshes = large_meshes(name)
+    if meshes:
+        reading = Reading(str(name), meshes)
+        return replace(state, reading=reading, sheet="").say(reading.words)
     try:
         setup = load(name)
         surfaces(setup.scene, setup.settings.weights)  # reads meshes and textures, or refuses
@@ -81,23 +97,25 @@ def fresh(path: Path) -> Path:
 
 def undo(state: State) -> State:
     """One step back."""
-    return _stepped(state, *state.history.undo(state.setup), "undone")
+    return _stepped(state, *state.history.undo(state.moment), "undone")
 
 
 def redo(state: State) -> State:
     """One step forward again."""
-    return _stepped(state, *state.history.redo(state.setup), "done again")
+    return _stepped(state, *state.history.redo(state.moment), "done again")
 
 
-def _stepped(state: State, history: History, setup: Setup, word: str) -> State:
-    if setup is state.setup:
+def _stepped(state: State, history: History[Moment], moment: Moment, word: str) -> State:
+    setup, method = moment
+    if setup is state.setup and method == state.method:
         return state.say(f"nothing to be {word}")
     count = len(state.setup.scene.lights) == len(setup.scene.lights)
     solo = state.solo if count else None
     last = max(len(setup.scene.objects) - 1, 0)
     state = replace(state, solo=solo, chosen=min(state.chosen, last), playing=False)
-    what = f"{word}: {difference(state.setup, setup)}"
-    return replace(state, setup=setup, history=history).say(what)
+    what = "method" if setup is state.setup else difference(state.setup, setup)
+    state = replace(state, setup=setup, method=method, history=history)
+    return state.say(f"{word}: {what}")
 
 
 def reset(state: State) -> State:
@@ -124,18 +142,31 @@ def with_settings(state: State, settings: Settings) -> State:
 
 def shade(state: State, mode: str) -> State:
     """Choose the shading."""
+    return kept_apart(state, _made_by(state, mode)).say(mode)
+
+
+def toggle_tracing(state: State) -> State:
+    """Trace rays, or go back to the rasteriser."""
+    mode = state.setup.settings.shading if state.method == TRACED else TRACED
+    return kept_apart(state, _made_by(state, mode)).say(mode)
+
+
+def _made_by(state: State, mode: str) -> State:
+    """The state whose first picture is ray traced, or rasterised with this shading."""
+    if mode == TRACED:
+        return replace(state, method=TRACED)
     settings = replace(state.setup.settings, shading=mode)
-    return kept_apart(state, with_settings(state, settings)).say(mode)
+    return with_settings(replace(state, method=RASTER), settings)
 
 
 def kept_apart(before: State, after: State) -> State:
     """Two pictures to compare do not come to show the same: they exchange their shadings."""
-    now, was = after.setup.settings.shading, before.setup.settings.shading
+    now, was = after.mode, before.mode
     if now != after.other or was == before.other:
         return after
     if now != was:
         return replace(after, other=was)
-    return with_settings(after, replace(after.setup.settings, shading=before.other))
+    return before if before.other == REFERENCE else _made_by(after, before.other)
 
 
 def toggle_term(state: State, term: str) -> State:

@@ -21,6 +21,7 @@ from playground.gui.command_line import copied
 from playground.gui.comparison import Box
 from playground.gui.driver import software
 from playground.gui.measuring import Measuring
+from playground.gui.reading_run import ReadingRun
 from playground.gui.run_loop import loop
 from playground.gui.scene_view import Slots
 from playground.gui.shader_edit import Watch, reloaded
@@ -56,6 +57,7 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
         self.ui = UiLoop(self.wnd, self.test_engine)
         self.slots = Slots(self.ctx)
         self.measuring = Measuring(self.ctx)
+        self.reading = ReadingRun()
         self.hand = frame.Hand()
         self.state = State()
         self.dropped: list[str] = []
@@ -74,6 +76,8 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
         while self.dropped:
             opened = open_setup(state, self.dropped.pop(0))
             state = frame.remembered(state, opened, False)
+        read = self.reading.advance(state)
+        state = read if read.setup is state.setup else frame.remembered(state, read, False)
         files = self.watch.changed()
         state = reloaded(state, files) if files else state
         self.ui.begin(frame_time)
@@ -96,6 +100,7 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
     def release(self) -> None:
         """Free everything while the context is still there."""
         self.measuring.close()
+        self.reading.close()
         self.slots.close()
         self.ui.close()
 

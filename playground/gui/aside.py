@@ -1,11 +1,11 @@
-"""Work beside the window: an iterator that a thread of its own runs, item by item.
+"""Work beside the window: a generator that a thread of its own runs, item by item.
 
 For what needs no GL: NumPy lets the window go on drawing while it computes.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator
 from queue import Empty, SimpleQueue
 from threading import Event, Thread
 from typing import Generic, TypeVar
@@ -17,7 +17,7 @@ PATIENCE = 2.0  # seconds that closing waits for the item that is being made
 class Aside(Generic[Item]):
     """Items made on a thread; take what is ready, stop when no more are wanted."""
 
-    def __init__(self, items: Iterator[Item]) -> None:
+    def __init__(self, items: Generator[Item, None, None]) -> None:
         self._items, self._ready = items, SimpleQueue[Item]()
         self._stop = Event()
         self.error: Exception | None = None
@@ -32,6 +32,8 @@ class Aside(Generic[Item]):
                 self._ready.put(item)
         except Exception as error:  # told by the panel that asked for the items
             self.error = error
+        finally:
+            self._items.close()
 
     def take(self) -> tuple[Item, ...]:
         """The items that have become ready since the last time."""

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import hypot
+from functools import lru_cache
+from math import hypot, isfinite
 from typing import Any
 
 import numpy as np
@@ -11,10 +12,11 @@ from imgui_bundle import imgui
 from numpy.typing import ArrayLike
 
 from playground.gui.comparison import Box
-from playground.gui.gizmo_math import Pixel, Size, depth
+from playground.gui.gizmo_math import Pixel, Size
 from playground.render.view import View
 
 Rgb = tuple[float, float, float]
+Floats = tuple[float, ...]
 SHADE = (0.0, 0.0, 0.0)
 
 
@@ -92,6 +94,18 @@ class Canvas:
         self.text(middle, words, colour)
 
 
+def note(words: str) -> None:
+    """A tooltip that leaves most of the picture free; the view itself has no padding to lend."""
+    size = imgui.get_font_size()
+    imgui.push_style_var(imgui.StyleVar_.window_padding, imgui.ImVec2(0.6 * size, 0.5 * size))
+    if imgui.begin_tooltip():
+        imgui.push_text_wrap_pos(22.0 * size)
+        imgui.text_unformatted(words)
+        imgui.pop_text_wrap_pos()
+        imgui.end_tooltip()
+    imgui.pop_style_var()
+
+
 def ink(colour: Rgb, alpha: float = 1.0) -> int:
     """A colour with components in [0, 1] as ImGui packs it."""
     return int(imgui.get_color_u32(imgui.ImVec4(*colour, alpha)))
@@ -99,15 +113,41 @@ def ink(colour: Rgb, alpha: float = 1.0) -> int:
 
 def segment(view: View, a: ArrayLike, b: ArrayLike, size: Size) -> tuple[Pixel, Pixel] | None:
     """The pixels of the ends of a line in the world, cut where it passes behind the eye."""
-    start, end = np.asarray(a, dtype=np.float64), np.asarray(b, dtype=np.float64)
-    before, after, least = depth(view, start), depth(view, end), 1e-3 * view.near
+    # Plain floats: for two points NumPy would be slower, and overlays have a hundred lines.
+    eye, ahead, rows = _numbers(view)
+    start, end = _relative(a, eye), _relative(b, eye)
+    before, after, least = _dot(ahead, start), _dot(ahead, end), 1e-3 * view.near
     if before < least and after < least:
         return None
     if before < least or after < least:
-        cut = start + (end - start) * ((least - before) / (after - before))
+        share = (least - before) / (after - before)
+        cut = tuple(s + (e - s) * share for s, e in zip(start, end, strict=True))
         start, end = (cut, end) if before < least else (start, cut)
-    pixels, _ = view.window(np.stack([start, end]), size)
-    if not np.isfinite(pixels).all():
+    first, last = (_pixel(place, view.scale, rows, size) for place in (start, end))
+    return (first, last) if first and last else None
+
+
+@lru_cache(maxsize=4)
+def _numbers(view: View) -> tuple[Floats, Floats, tuple[Floats, ...]]:
+    """The eye, the direction of view, and the rows of the matrix to clip space."""
+    rows = tuple(tuple(row) for row in view.clip_from_eye.tolist())
+    return tuple(view.eye.tolist()), tuple((-view.camera_from_world[2]).tolist()), rows
+
+
+def _relative(point: ArrayLike, eye: Floats) -> Floats:
+    x, y, z = np.asarray(point, dtype=np.float64).tolist()
+    return x - eye[0], y - eye[1], z - eye[2]
+
+
+def _dot(a: Floats, b: Floats) -> float:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def _pixel(place: Floats, scale: float, rows: tuple[Floats, ...], size: Size) -> Pixel | None:
+    """As `View.window`, for one place relative to the eye; None where it has no pixel."""
+    place = place[0] * scale, place[1] * scale, place[2] * scale
+    x, y, _, w = (_dot(row, place) + row[3] for row in rows)
+    if not w > 0.0:
         return None
-    (x, y), (z, w) = pixels.tolist()
-    return (x, y), (z, w)
+    across, down = (x / w + 1.0) / 2.0 * size[0], (1.0 - y / w) / 2.0 * size[1]
+    return (across, down) if isfinite(across) and isfinite(down) else None

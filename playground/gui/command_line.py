@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from playground.errors import PlaygroundError
-from playground.gui.state import State
+from playground.gui.state import RASTER, State
 from playground.scene.knob import Knob, knobs
 from playground.scene.library import load
 from playground.scene.light import Light
@@ -19,7 +19,7 @@ from playground.scene.setup import Setup
 SAVE = "Save the setup and render the file."
 
 
-def command_line(setup: Setup, source: str, base: Setup) -> str:
+def command_line(setup: Setup, source: str, base: Setup, method: str = RASTER) -> str:
     """The command that draws ``setup``, which was made from ``base``.
 
     Parameters
@@ -28,6 +28,7 @@ def command_line(setup: Setup, source: str, base: Setup) -> str:
     source : str
         What ``base`` is called on a command line: a name of the library or a file.
     base : Setup
+    method : {"raster", "ray-tracing"}
 
     Raises
     ------
@@ -35,6 +36,7 @@ def command_line(setup: Setup, source: str, base: Setup) -> str:
         The command line cannot say what differs: objects have come or gone.
     """
     words = ["playground", "render", source]
+    words += ["--method", method] if method != RASTER else []
     words += _lights(setup, base)
     for assignment in assignments(setup, base):
         words += ["--set", assignment]
@@ -45,7 +47,7 @@ def copied(state: State) -> tuple[State, str]:
     """The command for the clipboard, and the state that says so; empty where there is none."""
     source = state.source or state.setup.name
     try:
-        words = command_line(state.setup, source, load(source))
+        words = command_line(state.setup, source, load(source), state.method)
     except PlaygroundError as error:
         return state.fail(error), ""
     return state.say(f"copied: {words}"), words
@@ -111,6 +113,8 @@ def written(knob: Knob, value: Any) -> str:
         return ",".join(value)
     if knob.kind in ("colour", "vector"):
         return ",".join(_number(v) for v in value)
+    if knob.kind == "vertices":
+        return "/".join(",".join(_number(v) for v in point) for point in value)
     return _number(value) if knob.kind in ("number", "integer") else str(value)
 
 

@@ -10,7 +10,8 @@ from functools import lru_cache
 
 from playground.gui.guess import played
 from playground.gui.orbit import widened
-from playground.gui.state import REFERENCE, State, shown
+from playground.gui.same_object import kept_for_same
+from playground.gui.state import REFERENCE, TRACED, State, shown
 from playground.scene.settings import TERMS, Settings, Shading
 from playground.scene.setup import Setup
 
@@ -30,18 +31,36 @@ class Picture:
     box: Box
     part: tuple[float, float] = (0.0, 1.0)
     reference: bool = False  # by NumPy in float64, not by GL
+    traced: bool = False  # ray by ray
+    tests: bool = False  # how much each of its rays tests, in place of its colours
+
+    @property
+    def rastered(self) -> bool:
+        """Whether GL draws it triangle by triangle."""
+        return not (self.reference or self.traced)
 
 
 def pictures(state: State, width: int, height: int) -> tuple[Picture, ...]:
     """The pictures of the layout that ``state`` asks for, in a space of the given size."""
-    setup = played(state, shown(state))
+    setup, mode = played(state, shown(state)), state.mode
+    if mode == TRACED:
+        setup = _as(setup, mode)
     if state.layout == "terms":
-        return _term_by_term(setup, width, height)
+        return _term_by_term(setup, mode, width, height)
+    found = _laid_out(state, setup, mode, width, height)
+    if state.chalk.tests and state.layout != "difference":
+        found = tuple(replace(p, tests=True) if p.traced else p for p in found)
+    return found
+
+
+def _laid_out(
+    state: State, setup: Setup, mode: str, width: int, height: int
+) -> tuple[Picture, ...]:
+    """One picture, or the two that are compared."""
     whole = (0, 0, width, height)
-    mode = setup.settings.shading
     if state.layout == "single":
-        return (_picture(setup, "", whole),)
-    other = replace(setup, settings=_shaded(setup.settings, state.other))
+        return (replace(_picture(setup, mode, whole), caption=""),)
+    other = _as(setup, state.other)
     if state.layout == "wipe":
         return (
             _picture(setup, mode, whole, (0.0, state.wipe)),
@@ -78,15 +97,16 @@ def boxes(count: int, width: int, height: int) -> list[Box]:
     ]
 
 
-def _term_by_term(setup: Setup, width: int, height: int) -> tuple[Picture, ...]:
+@kept_for_same(2)
+def _term_by_term(setup: Setup, mode: str, width: int, height: int) -> tuple[Picture, ...]:
     """Four pictures of one term each, and their sum; the sixth box is left for the formula."""
     places = boxes(len(TERMS) + 2, width, height)
     made = []
     for term, box in zip(TERMS, places, strict=False):
         alone = replace(setup, settings=_only(setup.settings, term))
         off = "" if term in setup.settings.terms else " (off)"
-        made.append(_picture(alone, f"{term}{off}", box))
-    return (*made, _picture(setup, "sum", places[len(TERMS)]))
+        made.append(replace(_picture(alone, mode, box), caption=f"{term}{off}"))
+    return (*made, replace(_picture(setup, mode, places[len(TERMS)]), caption="sum"))
 
 
 def formula_box(width: int, height: int) -> Box:
@@ -94,13 +114,17 @@ def formula_box(width: int, height: int) -> Box:
     return boxes(len(TERMS) + 2, width, height)[-1]
 
 
-def _picture(
-    setup: Setup, caption: str, box: Box, part: tuple[float, float] = (0.0, 1.0)
-) -> Picture:
+def _picture(setup: Setup, mode: str, box: Box, part: tuple[float, float] = (0.0, 1.0)) -> Picture:
     camera = widened(setup.camera, max(box[2], 1) / max(box[3], 1))
     if camera is not setup.camera:
         setup = replace(setup, camera=camera)
-    return Picture(setup, caption, box, part, caption == REFERENCE)
+    return Picture(setup, mode, box, part, mode == REFERENCE, mode == TRACED)
+
+
+def _as(setup: Setup, mode: str) -> Setup:
+    """The setup with what a picture of this mode needs; the same one where it has it."""
+    settings = _shaded(setup.settings, mode)
+    return setup if settings is setup.settings else replace(setup, settings=settings)
 
 
 # The same settings give the same object again: renderers notice change by identity.
@@ -108,6 +132,8 @@ def _picture(
 def _shaded(settings: Settings, shading: str) -> Settings:
     if shading == REFERENCE:  # makes no mistakes, and has no shading of its own
         return replace(settings, shading=Shading.PER_FRAGMENT.value, bugs=())
+    if shading == TRACED:
+        return replace(settings, bugs=()) if settings.bugs else settings
     return replace(settings, shading=shading)
 
 

@@ -12,10 +12,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.measure.colour_map import colour_of
+from playground.explain.colour_map import colour_of
 
 if TYPE_CHECKING:
     import moderngl
+
+    from playground.scene.setup import Setup
 
 Codes = NDArray[np.uint8]
 LEVELS = np.arange(256) / 255.0
@@ -51,19 +53,27 @@ def differ(a: Codes, b: Codes) -> Difference:
     return Difference(np.maximum(np.maximum(apart[..., 0], apart[..., 1]), apart[..., 2]))
 
 
+@dataclass(frozen=True)
+class Compared:
+    """What a difference follows from: the setup of the first picture, and both pictures' stamps."""
+
+    setup: Setup
+    stamps: tuple[object, ...]
+
+
 class DifferencePicture:
     """The difference as a texture, computed anew only when a picture or the scale changes."""
 
     def __init__(self, context: moderngl.Context) -> None:
         self._context = context
         self._texture: moderngl.Texture | None = None
-        self.of: object = None  # what the present difference follows from
+        self.of: Compared | None = None  # what the present difference follows from
         self._magnify = 0.0
         self.computed = 0
         self.difference = Difference(np.zeros((1, 1), dtype=np.uint8))
 
     def texture(
-        self, of: object, a: moderngl.Texture, b: moderngl.Texture, magnify: float
+        self, of: Compared | None, a: moderngl.Texture, b: moderngl.Texture, magnify: float
     ) -> moderngl.Texture:
         """The texture; ``of`` is what both pictures follow from. Row 0 is on top, as in them."""
         anew = self.of != of

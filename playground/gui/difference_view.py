@@ -8,16 +8,19 @@ from typing import Any
 import moderngl
 from imgui_bundle import imgui
 
+from playground.explain.colour_map import VIRIDIS
 from playground.gui.canvas import ink
 from playground.gui.comparison import Picture
-from playground.gui.scene_view import Slots
+from playground.gui.difference import Compared
+from playground.gui.layers import marks_of
+from playground.gui.scene_view import Given, Slots
 from playground.gui.spans import tidy
 from playground.gui.state import State
 from playground.gui.widgets import tooltip
-from playground.measure.colour_map import VIRIDIS
 from playground.scene.knob import knobs
 
 WIDE, BAR = 300.0, 14.0  # width of the legend and height of its bar, at text size 1
+LEAST, SHARE = 220.0, 0.36  # in a small view: so wide at least, and of the width of the view
 MARGIN, PAD = 12.0, 10.0
 TICKS = 2  # parts of the bar with a number at each end
 WHITE = (1.0, 1.0, 1.0)
@@ -26,21 +29,40 @@ WHITE = (1.0, 1.0, 1.0)
 def pictured(
     state: State, shown: tuple[Picture, ...], textures: list[moderngl.Texture], slots: Slots
 ) -> tuple[tuple[Picture, ...], list[moderngl.Texture]]:
-    """The two pictures as one: their difference."""
+    """The two pictures as one: their difference, with the lines that are switched on."""
     a, b = shown
     of = slots.difference.of
-    if not (b.reference and slots.reference.computing):
-        other = slots.reference.stamp if b.reference else slots[1].draws
-        of = (slots[0].draws, b.reference, other, a.box)
+    if all(settled(picture, i, slots) for i, picture in enumerate(shown)):
+        stamps = (_stamp(picture, i, slots) for i, picture in enumerate(shown))
+        of = Compared(a.setup, (*stamps, b.reference, a.box))
     texture = slots.difference.texture(of, textures[0], textures[1], state.magnify)
-    caption = f"|{a.caption} - {b.caption}|"
+    marks = marks_of(state)
+    if of is not None and marks:
+        given = Given(texture, (of, state.magnify))
+        texture = slots.marked(given, of.setup, marks)
+    caption = f"|{a.caption} − {b.caption}|"
     return (replace(a, caption=caption, reference=b.reference),), [texture]
+
+
+def settled(picture: Picture, number: int, slots: Slots) -> bool:
+    """Whether a picture is there as it shall be."""
+    if picture.reference:
+        return not slots.reference.computing
+    return not picture.traced or slots.traced.settled(number)
+
+
+def _stamp(picture: Picture, number: int, slots: Slots) -> object:
+    """What changes whenever a picture does."""
+    if picture.reference:
+        return slots.reference.stamp
+    return slots.traced.stamp(number) if picture.traced else slots[number].draws
 
 
 def legend(state: State, slots: Slots, origin: Any, space: Any, scale: float) -> State:
     """The scale of colours, the slider that stretches it, the maximum and the mean."""
     line = imgui.get_text_line_height_with_spacing()
-    wide, pad = min(WIDE * scale, space.x - 2 * MARGIN * scale), PAD * scale
+    wide = min(WIDE * scale, max(SHARE * space.x, LEAST * scale), space.x - 2 * MARGIN * scale)
+    pad = PAD * scale
     high = 2 * pad + 3 * line + BAR * scale + imgui.get_frame_height_with_spacing()
     left = origin.x + space.x - wide - MARGIN * scale
     top = origin.y + space.y - high - MARGIN * scale
@@ -51,7 +73,10 @@ def legend(state: State, slots: Slots, origin: Any, space: Any, scale: float) ->
     found = slots.difference.difference
     words = f"maximum {found.largest:.3f}   mean {found.mean:.2g}"
     if slots.reference.computing:
-        words = "computing the reference..."
+        coming = slots.reference.coming
+        words = "computing the reference..." if coming else "the reference was given up"
+    elif not slots.traced.done:
+        words = "tracing rays..."
     paint.add_text(imgui.ImVec2(left, top + pad), ink(WHITE), "difference as shown, 0 to 1")
     paint.add_text(imgui.ImVec2(left, top + pad + line), ink(WHITE), words)
     _bar(left, top + pad + 2 * line, wide, scale, state.magnify)

@@ -7,12 +7,14 @@ a vector becomes a plate in the colour of its arrow, which answers to the mouse.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import lru_cache
+from typing import NamedTuple
 
 from imgui_bundle import imgui
 
 from playground.explain.pixel import Explanation, LightAtPoint, ShadedPoint
 from playground.gui import vector_pen as pen
-from playground.gui.typeset import typeset
+from playground.gui.typeset import runs, typeset
 
 Parts = tuple[str, ...]
 
@@ -22,9 +24,19 @@ def triple(values: Iterable[float]) -> str:
     return "(" + ", ".join(f"{round(float(v), 3):g}" for v in values) + ")"
 
 
-def formula(term: str, why: Explanation) -> Parts:
-    """A term of the equation in symbols."""
-    a, b = "nh" if why.setup.settings.highlight == "blinn" else "rv"
+def formula(term: str, why: Explanation, area: bool = False) -> Parts:
+    """A term of the equation in symbols; for an area light with its form factor and integral.
+
+    The integral of Blinn's lobe has no closed form: it is that of another lobe, fitted to it.
+    """
+    blinn = why.setup.settings.highlight == "blinn"
+    if area and term == "diffuse":
+        return ("F", "s_d ⊗ m_d", "   F: form factor")
+    if area and term == "specular" and blinn:
+        return ("≈ 1/π ∫ max(", "n", "·", "h", ", 0)^sh dω", "s_s ⊗ m_s", "   by a fitted lobe")
+    if area and term == "specular":
+        return ("1/π ∫ max(", "r", "·ω, 0)^sh dω", "s_s ⊗ m_s")
+    a, b = "nh" if blinn else "rv"
     return {
         "diffuse": ("max(", "n", "·", "l", ", 0)", "s_d ⊗ m_d"),
         "specular": ("max(", a, "·", b, ", 0)^sh", "s_s ⊗ m_s"),
@@ -48,7 +60,8 @@ def numbers(term: str, why: Explanation, point: ShadedPoint, light: LightAtPoint
         factors.append(f"{light.diffuse_factor:.3f} ·")
     elif term == "specular":
         cosine = max(light.specular_cosine, 0.0)
-        factors.append(f"{cosine:.3f}^{why.shininess:g} ·")
+        power = f"{cosine:.3f}^{why.shininess:g}"
+        factors.append(f"{light.specular_factor:.3g} ·" if light.area else f"{power} ·")
     return (*factors, f"{triple(s)} ⊗", triple(m))
 
 
@@ -66,30 +79,59 @@ def filtered(
     return [float(x) for x in s], [float(x) for x in m]
 
 
-def write(parts: Iterable[str], lit: str, faint: bool = False, indent: float = 0.0) -> str:
+class Place(NamedTuple):
+    """A part of a line: where it stands from the start of the line, and how wide it is."""
+
+    part: str
+    right: float
+    down: float
+    width: float
+
+
+def write(parts: Parts, lit: str, faint: bool = False, indent: float = 0.0) -> str:
     """Set the parts in a line, or more where it is too long; returns the symbol under the mouse."""
-    size, style = imgui.get_font_size(), imgui.get_style()
-    start, hit = imgui.get_cursor_screen_pos(), ""
-    left, right = start.x + indent, start.x + imgui.get_content_region_avail().x
-    x, y, step = left, start.y, 1.45 * size
+    start, wide = imgui.get_cursor_screen_pos(), imgui.get_content_region_avail().x
+    size = imgui.get_font_size()
+    places, height = laid_out(parts, wide - indent, size)
+    room = imgui.ImVec2(wide, height - imgui.get_style().item_spacing.y)
+    left, top = start.x + indent, start.y - 0.1 * size  # of the plates
+    if imgui.is_rect_visible(
+        imgui.ImVec2(start.x, top), imgui.ImVec2(start.x + wide, top + height)
+    ):
+        colour = imgui.get_color_u32(imgui.Col_.text_disabled if faint else imgui.Col_.text)
+        for part, right, down, _ in places:
+            if part in pen.COLOURS:
+                pen.plate((left + right, top + down), part, lit)
+            else:
+                typeset(part, imgui.ImVec2(left + right, start.y + down), size, colour)
+    imgui.dummy(room)
+    if not imgui.is_item_hovered():
+        return ""
     mouse = imgui.get_io().mouse_pos
-    colour = imgui.get_color_u32(imgui.Col_.text_disabled if faint else imgui.Col_.text)
-    for part in parts:
-        symbol = part in pen.COLOURS
-        at = imgui.ImVec2(x, y)
-        width = pen.plate_width(part) if symbol else typeset(part, at, size, 0, paint=False)
-        if x + width > right and x > left:
-            x, y = left, y + step
-            at = imgui.ImVec2(x, y)
-        if symbol:
-            pen.plate((x, y - 0.1 * size), part, lit)
-            inside = x <= mouse.x <= x + width and y <= mouse.y <= y + 1.2 * size
-            hit = part if inside else hit
-        else:
-            typeset(part, at, size, colour)
-        x += width + 0.2 * size
-    imgui.dummy(imgui.ImVec2(right - start.x, y + step - start.y - style.item_spacing.y))
-    hit = hit if imgui.is_item_hovered() else ""
+    hit = _symbol_at(places, mouse.x - left, mouse.y - start.y, 1.2 * size)
     if hit:
         imgui.set_tooltip(pen.NAMES[hit])
     return hit
+
+
+@lru_cache(maxsize=256)
+def laid_out(parts: Parts, room: float, size: float) -> tuple[tuple[Place, ...], float]:
+    """Where the parts stand, and the height of it all; once per parts, width and size of text."""
+    x, y, step = 0.0, 0.0, 1.45 * size
+    made = []
+    for part in parts:
+        width = pen.plate_width(part) if part in pen.COLOURS else runs(part, size)[1]
+        if x + width > room and x > 0.0:
+            x, y = 0.0, y + step
+        made.append(Place(part, x, y, width))
+        x += width + 0.2 * size
+    return tuple(made), y + step
+
+
+def _symbol_at(places: tuple[Place, ...], x: float, y: float, high: float) -> str:
+    """The symbol at a point of the line, or nothing."""
+    for part, right, down, width in places:
+        inside = right <= x <= right + width and down <= y <= down + high
+        if inside and part in pen.COLOURS:
+            return part
+    return ""

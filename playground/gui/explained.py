@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import lru_cache
 from time import perf_counter
+from typing import Generic, TypeVar
 
 from playground.errors import PlaygroundError
 from playground.explain.pixel import Explanation, ShadedPoint, explain
@@ -13,23 +16,23 @@ from playground.scene.setup import Setup
 KEPT = 4  # explanations: going back and forth between two shadings costs nothing
 REST = 2.0  # times what the last one took, before the next is computed
 SHORT = 0.02  # seconds: what takes less is computed at every frame
+Found = TypeVar("Found")
 Key = tuple[Setup, tuple[int, int], tuple[int, int]]
 
 
-class Explainer:
-    """A few explanations by setup, pixel and size.
+class Explainer(Generic[Found]):
+    """A few explanations by setup, pixel and size; ``how`` makes another kind of them.
 
     During a drag each frame asks for another one. Where they take long, most of these
     frames get the last one instead, so that the window stays fluent.
     """
 
-    def __init__(self) -> None:
-        self._kept: list[tuple[Key, Explanation | None]] = []
+    def __init__(self, how: Callable[..., Found] | None = None) -> None:
+        self._how = how
+        self._kept: list[tuple[Key, Found | None]] = []
         self._began = self._took = 0.0
 
-    def __call__(
-        self, setup: Setup, pixel: tuple[int, int], size: tuple[int, int]
-    ) -> Explanation | None:
+    def __call__(self, setup: Setup, pixel: tuple[int, int], size: tuple[int, int]) -> Found | None:
         """Why ``pixel`` has its colour, or None where the setup cannot be explained."""
         key = (setup, pixel, size)
         for known, why in self._kept:
@@ -40,7 +43,7 @@ class Explainer:
             return self._kept[0][1]
         self._began = perf_counter()
         try:
-            made: Explanation | None = explain(setup, pixel, size)
+            made: Found | None = (self._how or explain)(setup, pixel, size)  # type: ignore[assignment]
         except PlaygroundError:  # the renderer refuses it too, and says why
             made = None
         self._took = perf_counter() - self._began
@@ -48,7 +51,7 @@ class Explainer:
         return made
 
 
-_explainer = Explainer()
+_explainer: Explainer[Explanation] = Explainer()
 
 
 def explained(picture: Picture, pixel: tuple[float, float]) -> Explanation | None:
@@ -74,6 +77,12 @@ def chosen_corner(why: Explanation, clue: Clue) -> int:
 def chosen_light(point: ShadedPoint, clue: Clue) -> int:
     """The number of the light whose vectors are shown; -1 if there is none."""
     if clue.light is None and point.lights:
-        adds = [float((light.diffuse + light.specular).sum()) for light in point.lights]
-        return adds.index(max(adds))
+        return _strongest(point)
     return min(clue.light or 0, len(point.lights) - 1)
+
+
+@lru_cache(maxsize=8)
+def _strongest(point: ShadedPoint) -> int:
+    """The number of the light that adds most; a point never changes."""
+    adds = [float((light.diffuse + light.specular).sum()) for light in point.lights]
+    return adds.index(max(adds))

@@ -28,6 +28,10 @@ def draw(light: Sequence[float], material: Sequence[float], names: tuple[str, st
     sign = 1.6 * line
     room = (width - 2.0 * sign) / 3.0
     high = 4.5 * line
+    space = imgui.ImVec2(width, high + 3.9 * line)
+    if not imgui.is_rect_visible(space):
+        imgui.dummy(space)
+        return
     for i, (values, shares) in enumerate(zip(groups, heights(groups), strict=True)):
         left = at.x + i * (room + sign)
         _group(left, at.y, room, high, values, shares)
@@ -39,7 +43,7 @@ def draw(light: Sequence[float], material: Sequence[float], names: tuple[str, st
             half = 0.5 * imgui.calc_text_size(mark).x
             middle = imgui.ImVec2(left + room + 0.5 * sign - half, at.y + 0.5 * high)
             imgui.get_window_draw_list().add_text(middle, _text(), mark)
-    imgui.dummy(imgui.ImVec2(width, high + 3.9 * line))
+    imgui.dummy(space)
 
 
 def _group(

@@ -6,7 +6,18 @@ from dataclasses import replace
 
 from imgui_bundle import imgui
 
-from playground.gui import guess, menu, scope_path, sheets, status, theme, view
+from playground.gui import (
+    guess,
+    menu,
+    out_of_sight,
+    same_point,
+    scope_path,
+    sheets,
+    status,
+    theme,
+    view,
+    waiting,
+)
 from playground.gui.comparison import Box
 from playground.gui.navigation import walked
 from playground.gui.panels import OPEN_AT_FIRST, PANELS, shaders
@@ -14,6 +25,7 @@ from playground.gui.presentation import backdrop, presenting, shows
 from playground.gui.scene_view import Slots
 from playground.gui.shortcuts import pressed
 from playground.gui.state import State
+from playground.gui.tracing_told import told
 from playground.gui.widgets import Ui
 
 PANEL_WIDTH = 360.0  # pixels, at text size 1
@@ -66,16 +78,20 @@ def draw(
     theme.apply(state.theme, state.text_size, density)
     theme.lay_paper(backdrop(state))
     ui = Ui(scale)
+    state = replace(state, hint="") if state.hint else state
     state = guess.unpeeked(walked(state, min(seconds, 0.1)))
     state = scope_path.walked(state, min(seconds, 0.1))
     state = pressed(state)
     state = state if presenting(state) else menu.draw(state)
     view_box, panel_box, foot_box = areas(state, scale)
     ui.view = pixels(view_box)
+    ui.tracing = told(slots.traced)
+    state = same_point.kept(state, ui.view)
     if state.panel:
         _place(panel_box)
         state = _controls(state, ui)
     _place(view_box)
+    state = same_point.kept(state, ui.view)
     state, dragging = _view(state, before, slots, scale)
     if state.shaders:
         _place(below(view_box, panel_box))
@@ -85,7 +101,7 @@ def draw(
     if foot_box[3]:
         _place(foot_box)
         _foot(state, numbers)
-    state = sheets.draw(state)
+    state = waiting.draw(sheets.draw(state), slots.reference, view_box)
     moving = dragging or state.playing or state.scope.playing
     return remembered(before, state, hand.holds(moving, seconds))
 
@@ -122,7 +138,7 @@ def remembered(before: State, after: State, held: bool) -> State:
     """Keep the step in the history, unless it was a step through the history."""
     if after.history is not before.history:
         return after
-    history = before.history.record(before.setup, after.setup, held)
+    history = before.history.record(before.moment, after.moment, held)
     return after if history is before.history else replace(after, history=history)
 
 
@@ -144,7 +160,7 @@ def _controls(state: State, ui: Ui) -> State:
             imgui.set_scroll_here_y(0.0)
         if imgui.collapsing_header(name):
             imgui.push_id(name)
-            state = panel(state, ui)
+            state = out_of_sight.drawn(panel, state, ui)
             imgui.pop_id()
             imgui.spacing()
     imgui.end()

@@ -23,6 +23,8 @@ Size = tuple[int, int]
 Pixel = tuple[float, float]
 EVERY_TERM = Settings().weights
 PLACES = 5  # decimals that are kept of a number as large as the scene
+FURTHER = 1.05  # times as far from the eye is what is pushed by one step
+MOST_STEPS = 200.0  # either way
 LEAST_SINE = 0.08  # an axis seen at a smaller angle is no handle: a pixel would be miles
 
 
@@ -69,6 +71,16 @@ def plane_move(view: View, point: ArrayLike, size: Size, moved: Pixel) -> Array:
     step = far * view.pixel(size[1])
     right, up, _ = view.camera_from_world
     return np.asarray(step * (moved[0] * right - moved[1] * up))
+
+
+def sight_move(view: View, point: ArrayLike, size: Size, moved: Pixel, steps: float) -> Array:
+    """The world vector (3,) of a drag parallel to the screen, then along the line of sight.
+
+    Each of the ``steps`` goes `FURTHER` times as far from the eye; the point stays on its pixel.
+    """
+    offset = np.subtract(point, view.eye)
+    factor = FURTHER ** min(max(steps, -MOST_STEPS), MOST_STEPS)
+    return np.asarray(factor * (offset + plane_move(view, point, size, moved)) - offset)
 
 
 def ray(view: View, size: Size, pixel: Pixel) -> Array:

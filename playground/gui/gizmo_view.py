@@ -7,7 +7,7 @@ from math import cos, pi, sin
 
 from imgui_bundle import imgui
 
-from playground.gui.canvas import SHADE, Canvas, Rgb, ink
+from playground.gui.canvas import SHADE, Canvas, Rgb, ink, note
 from playground.gui.gizmo_math import seen
 from playground.gui.gizmos import Grip, Handle, dragged, light_handles, object_handles
 from playground.gui.overlays import AXIS_COLOURS
@@ -21,11 +21,15 @@ REACH = 70.0  # length of an object's arrows
 MARGIN = 14.0  # from the rim of the picture to handles of what is outside
 RAYS = 8  # of a sun
 WHITE = (1.0, 1.0, 1.0)
+DEPTH = "Shift or the wheel: nearer or farther"
+PUSHED = ("lamp", "tip", "object")  # handles that have a depth of their own
+STEP = 4.0  # units of a drag with Shift per step away from the eye
+NOTCH = 1.0  # steps per notch of the wheel
 HINTS = {
-    "lamp": "drag: moves the light parallel to the screen",
+    "lamp": f"drag: moves the light parallel to the screen; {DEPTH}; arrows: along an axis",
     "sun": "drag: turns the direction the light comes from; beyond the rim it goes behind",
-    "tip": "drag: the spot light points here",
-    "object": "drag: moves the object parallel to the screen",
+    "tip": f"drag: the spot light points here; {DEPTH}",
+    "object": f"drag: moves the object parallel to the screen; {DEPTH}; arrows: along an axis",
 }
 
 
@@ -37,10 +41,14 @@ def handles(state: State, setup: Setup, canvas: Canvas) -> list[Handle]:
         reach = REACH * canvas.unit
         found += object_handles(setup, state.chosen, view, canvas.size, margin, reach)
     if state.overlays.move_lights:
-        lights = light_handles(setup, view, canvas.size, margin)
-        alone = {f"light {state.solo}", f"axis {state.solo}"}
-        found += [h for h in lights if state.solo is None or h.key in alone]
+        lamp = state.lamp if state.solo is None else state.solo
+        lights = light_handles(setup, view, canvas.size, margin, REACH * canvas.unit, lamp)
+        found += [h for h in lights if state.solo is None or _number(h) == state.solo]
     return found
+
+
+def _number(handle: Handle) -> int:
+    return int(handle.key.split()[1])
 
 
 def held(state: State, setup: Setup, canvas: Canvas) -> State:
@@ -56,37 +64,50 @@ def held(state: State, setup: Setup, canvas: Canvas) -> State:
         imgui.invisible_button(handle.key, imgui.ImVec2(2.0 * reach, 2.0 * reach))
         if imgui.is_item_activated():
             state = replace(state, grip=Grip(handle.key, whole))
-        if imgui.is_item_active():
-            state = _followed(state, handle.key, canvas)
+        elif imgui.is_item_active():
+            state = _followed(state, handle, canvas)
+        hint = HINTS.get(handle.shape, f"drag: moves it along {handle.shape}")
         if imgui.is_item_hovered() or imgui.is_item_active():
             imgui.set_mouse_cursor(imgui.MouseCursor_.hand)
-        hint = HINTS.get(handle.shape, f"drag: moves the object along {handle.shape}")
+            state = replace(state, hint=f"{handle.key}   {hint}")
+            if not handle.key.startswith("object"):
+                state = replace(state, lamp=_number(handle))
         if imgui.is_item_hovered(imgui.HoveredFlags_.for_tooltip):
-            imgui.set_tooltip(f"{handle.key}\n{hint}")
+            note(f"{handle.key}\n{hint}")
     if state.grip is not None and not imgui.is_mouse_down(0):
         state = replace(state, grip=None)
     return state
 
 
-def _followed(state: State, key: str, canvas: Canvas) -> State:
-    """The state in which what is held stands where the mouse has taken it."""
-    grip = state.grip
-    moved = imgui.get_mouse_drag_delta(0, 0.0)
-    if grip is None or grip.key != key or not (moved.x or moved.y):
+def _followed(state: State, handle: Handle, canvas: Canvas) -> State:
+    """The state in which what is held stands where mouse and wheel have taken it."""
+    grip, io = state.grip, imgui.get_io()
+    if grip is None or grip.key != handle.key:
+        return state
+    right, down, turned = io.mouse_delta.x, io.mouse_delta.y, io.mouse_wheel
+    deep = handle.shape in PUSHED
+    if deep and io.key_shift:
+        grip = replace(grip, pushed=grip.pushed - down / (STEP * canvas.scale))
+    else:
+        grip = replace(grip, moved=(grip.moved[0] + right, grip.moved[1] + down))
+    if deep and turned:
+        grip = replace(grip, pushed=grip.pushed + NOTCH * turned)
+    if grip == state.grip:
         return state
     view = seen(grip.setup.scene, grip.setup.camera, canvas.size)
-    pixels = (moved.x * canvas.dense.x, moved.y * canvas.dense.y)
-    scene = dragged(grip.setup, key, view, canvas.size, pixels).scene
+    pixels = (grip.moved[0] * canvas.dense.x, grip.moved[1] * canvas.dense.y)
+    scene = dragged(grip.setup, handle.key, view, canvas.size, pixels, grip.pushed).scene
+    state = replace(state, grip=grip)
     return (
         state if scene == state.setup.scene else state.with_setup(replace(state.setup, scene=scene))
     )
 
 
 def draw(state: State, setup: Setup, canvas: Canvas) -> None:
-    """Paint the handles over the picture of ``setup``."""
+    """Paint the handles over the picture of ``setup``; lamps over their arrows."""
     whole = replace(state.setup, camera=setup.camera)
     canvas.begin()
-    for handle in handles(state, whole, canvas):
+    for handle in sorted(handles(state, whole, canvas), key=lambda h: h.shape not in AXIS_COLOURS):
         if handle.shape in AXIS_COLOURS:
             assert handle.base is not None
             canvas.arrow(handle.base, handle.place, AXIS_COLOURS[handle.shape], 3.0)

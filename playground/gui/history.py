@@ -1,32 +1,33 @@
-"""Undo and redo as a value: setups of the past and of the future.
+"""Undo and redo as a value: moments of the past and of the future.
 
-A drag changes the setup at every frame and is one step: while something is *held*,
-changes join the step that the first of them opened.
+A moment is any value; equal ones are the same. A drag changes it at every frame and is one
+step: while something is *held*, changes join the step that the first of them opened.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Generic, TypeVar
 
-from playground.scene.setup import Setup
+Moment = TypeVar("Moment")
 
 LIMIT = 200  # steps; a setup shares all that did not change with its neighbours
 
 
 @dataclass(frozen=True)
-class History:
-    """What undo and redo lead to; the present setup is not part of it."""
+class History(Generic[Moment]):
+    """What undo and redo lead to; the present is not part of it."""
 
-    past: tuple[Setup, ...] = ()
-    future: tuple[Setup, ...] = ()
+    past: tuple[Moment, ...] = ()
+    future: tuple[Moment, ...] = ()
     held: bool = False  # a drag is under way, and its step is already in ``past``
 
-    def record(self, before: Setup, after: Setup, held: bool) -> History:
+    def record(self, before: Moment, after: Moment, held: bool) -> History[Moment]:
         """The history after a frame that turned ``before`` into ``after``.
 
         Parameters
         ----------
-        before, after : Setup
+        before, after : Moment
         held : bool
             Whether the hand has not let go yet: later changes belong to the same step.
         """
@@ -36,13 +37,13 @@ class History:
             return replace(self, future=(), held=held)
         return History((*self.past, before)[-LIMIT:], (), held)
 
-    def undo(self, present: Setup) -> tuple[History, Setup]:
-        """One step back: the new history and the setup; unchanged where there is no past."""
+    def undo(self, present: Moment) -> tuple[History[Moment], Moment]:
+        """One step back: the new history and the moment; unchanged where there is no past."""
         if not self.past:
             return self, present
         return History(self.past[:-1], (present, *self.future)), self.past[-1]
 
-    def redo(self, present: Setup) -> tuple[History, Setup]:
+    def redo(self, present: Moment) -> tuple[History[Moment], Moment]:
         """One step forward again; unchanged where there is no future."""
         if not self.future:
             return self, present

@@ -8,9 +8,19 @@ from typing import Any
 import numpy as np
 
 from playground.scene.knob import knobs
-from playground.scene.light import LIGHTS, DirectionalLight, Light, PointLight, SpotLight
+from playground.scene.light import (
+    LIGHTS,
+    AreaLight,
+    DirectionalLight,
+    Light,
+    PointLight,
+    PolygonLight,
+    RectangleLight,
+    SpotLight,
+)
 from playground.scene.setup import Setup
 
+WIDE, TALL = 1.0, 0.7  # radii of the scene: a new rectangle
 AWAY = 2.5  # radii of the scene: how far a new lamp stands from its centre
 Triple = tuple[float, float, float]
 
@@ -26,8 +36,16 @@ def converted(light: Light, kind: str, setup: Setup) -> Light:
     made: dict[str, Any] = {}
     if declared is DirectionalLight:
         made["to_light"] = _triple(towards)
+    elif declared is PolygonLight:
+        rectangle = light if isinstance(light, AreaLight) else converted(light, "rectangle", setup)
+        assert isinstance(rectangle, AreaLight)
+        made["vertices"] = rectangle.corners
+    elif isinstance(light, AreaLight):
+        made["position"] = light.centre
     elif "position" not in common:
         made["position"] = _triple(centre + AWAY * radius * towards)
+    if declared is RectangleLight:
+        made |= {"facing": _triple(-towards), "width": WIDE * radius, "height": TALL * radius}
     if declared is SpotLight:
         made["axis"] = _triple(-towards)
     return declared(**{**common, **made})
@@ -66,8 +84,9 @@ def _towards(light: Light, centre: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]
     if isinstance(light, DirectionalLight):
         direction = np.asarray(light.to_light, dtype=np.float64)
     else:
-        assert isinstance(light, PointLight)
-        direction = np.subtract(light.position, centre)
+        assert isinstance(light, (PointLight, AreaLight))
+        place = light.centre if isinstance(light, AreaLight) else light.position
+        direction = np.subtract(place, centre)
     norm = float(np.linalg.norm(direction))
     return direction / norm if norm else np.array([0.0, 1.0, 0.0])
 

@@ -58,8 +58,8 @@ def draw(shininess: float, degrees: float | None, axis: str, eye: str, scale: fl
     faint, strong = (imgui.get_color_u32(c) for c in (imgui.Col_.text_disabled, imgui.Col_.text))
     for exponent in EXPONENTS:
         if exponent != shininess:
-            _curve(lobe(exponent), x, y, radius, faint, 1.0 * scale)
-    _curve(lobe(shininess), x, y, radius, strong, 2.5 * scale)
+            paint.add_polyline(curve(exponent, x, y, radius), faint, 1.0 * scale, 0)
+    paint.add_polyline(curve(shininess, x, y, radius), strong, 2.5 * scale, 0)
     _labels(x, y, radius, shininess)
     if degrees is not None:
         _viewer(x, y, radius, shininess, degrees, eye, scale)
@@ -85,12 +85,11 @@ def _grid(x: float, y: float, radius: float, axis: str) -> None:
         paint.add_text(place, faint, text)
 
 
-def _curve(points: Array, x: float, y: float, radius: float, colour: int, thick: float) -> None:
-    paint = imgui.get_window_draw_list()
-    places: Places = [
-        imgui.ImVec2(x + radius * right, y - radius * up) for right, up in points.tolist()
-    ]
-    paint.add_polyline(places, colour, thick, 0)
+@lru_cache(maxsize=16)
+def curve(shininess: float, x: float, y: float, radius: float) -> Places:
+    """The curve on the screen, with its origin at x and y; as long as it stands there, once."""
+    points = lobe(shininess).tolist()
+    return [imgui.ImVec2(x + radius * right, y - radius * up) for right, up in points]
 
 
 def _labels(x: float, y: float, radius: float, shininess: float) -> None:

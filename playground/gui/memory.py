@@ -24,7 +24,7 @@ from playground.scene.setup_file import format_setup, parse_setup
 
 FOLDER = "PLAYGROUND_SETTINGS"  # the variable that names another folder
 FILE = "window.json"
-KEPT = ("theme", "text_size", "layout", "level", "panel")  # knobs of the state
+KEPT = ("theme", "text_size", "method", "layout", "level", "panel")  # knobs of the state
 SMALLEST, LARGEST = 320, 16384  # pixels a window can be wide or high
 
 

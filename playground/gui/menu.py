@@ -8,7 +8,7 @@ from imgui_bundle import imgui
 
 from playground.errors import PlaygroundError
 from playground.gui.actions import open_setup
-from playground.gui.shortcuts import ACTIONS, MENUS
+from playground.gui.shortcuts import ACTIONS, MENUS, Action
 from playground.gui.state import State
 from playground.scene.library import library, load
 
@@ -25,8 +25,8 @@ def draw(state: State) -> State:
             for action in ACTIONS:
                 if menu == "File" and action.name == "Save setup":
                     state = _recent(state)
-                if action.menu == menu and imgui.menu_item_simple(action.name, action.keys):
-                    state = action.do(state)
+                if action.menu == menu:
+                    state = _item(state, action)
             imgui.end_menu()
     name = state.setup.name
     right = imgui.get_window_width() - imgui.calc_text_size(name).x - 12.0
@@ -35,6 +35,12 @@ def draw(state: State) -> State:
         imgui.text_disabled(name)
     imgui.end_main_menu_bar()
     return state
+
+
+def _item(state: State, action: Action) -> State:
+    on = action.on is not None and action.on(state)
+    chosen = imgui.menu_item_simple(action.name, action.keys, on)
+    return action.do(state) if chosen else state
 
 
 def _recent(state: State) -> State:

@@ -55,7 +55,8 @@ def widened(camera: Camera, aspect: float, least: float = 4.0 / 3.0) -> Camera:
     """The camera for a narrow picture: it sees as far to the sides as one of aspect ``least``."""
     if aspect >= least:
         return camera
-    half = tan(radians(camera.fov) / 2.0) * least / aspect
+    # The angle of view is that across the shorter side, so of a portrait it is the width's.
+    half = tan(radians(camera.fov) / 2.0) * least / max(aspect, 1.0)
     return replace(camera, fov=min(2.0 * degrees(atan2(half, 1.0)), 170.0))
 
 

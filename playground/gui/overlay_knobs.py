@@ -17,7 +17,7 @@ class Overlays(Declared):
     wireframe: bool = switch(False, help="the edges of the triangles (W)")
     vertex_normals: bool = switch(False, help="n at the vertices, pale blue (N)")
     face_normals: bool = switch(False, help="the normal of each triangle, pink")
-    light_rays: bool = switch(False, help="where light comes from; the cone of a spot light")
+    light_rays: bool = switch(False, help="where light comes from; the cone or outline of a light")
     axes: bool = switch(False, help="the axes of the world in the lower left corner (X)")
     move_lights: bool = switch(
         False, help="handles in the picture: drag a lamp, a sun, the end of a spot's axis (L)"

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from playground.gui.gizmo_math import seen, surfaces_of
 from playground.render.surface import Surface
+from playground.render.trace.bvh import bvh_of
 from playground.render.view import View
 from playground.scene.mesh import Mesh
 from playground.scene.normals import weld
@@ -30,6 +31,7 @@ COLOURS = {
     "wireframe": (1.0, 1.0, 1.0, 0.38),
     "vertex normals": (0.25, 0.80, 1.0, 1.0),
     "face normals": (1.0, 0.35, 0.85, 1.0),
+    "boxes": (0.95, 0.65, 0.10, 0.8),
 }
 VERTEX = """#version 330
 uniform mat4 clip_from_eye;
@@ -56,9 +58,10 @@ class Marks:
     wireframe: bool = False
     vertex_normals: bool = False
     face_normals: bool = False
+    boxes: tuple[int, int] | None = None  # of which object, and of which level of its tree
 
     def __bool__(self) -> bool:
-        return self.wireframe or self.vertex_normals or self.face_normals
+        return self.wireframe or self.vertex_normals or self.face_normals or self.boxes is not None
 
 
 NO_MARKS = Marks()
@@ -93,6 +96,21 @@ def normal_lines(surface: Surface, length: float, faces: bool) -> Array:
     return np.stack([start, start + length * along], axis=1)
 
 
+@lru_cache(maxsize=4)
+def box_lines(mesh: Mesh, level: int) -> NDArray[np.float32]:
+    """The edges of the boxes at a level of the tree of a mesh, pairs of places (24 N, 3).
+
+    Of a level below the lowest, those of the lowest.
+    """
+    bvh = bvh_of(mesh)
+    low, high = bvh.level(min(level, bvh.depth - 1)) if bvh.nodes else (np.zeros((0, 3)),) * 2
+    ends = np.stack([low, high], axis=1)
+    corner = np.array([[(i >> axis) & 1 for axis in range(3)] for i in range(8)])
+    places = np.stack([ends[:, corner[:, axis], axis] for axis in range(3)], axis=2)
+    pairs = [(i, i | 1 << axis) for i in range(8) for axis in range(3) if not i >> axis & 1]
+    return np.ascontiguousarray(places[:, np.ravel(pairs)].reshape(-1, 3), dtype=np.float32)
+
+
 class LineArt:
     """Draws the marks of a setup over the picture that is bound, which has its depth."""
 
@@ -119,6 +137,10 @@ class LineArt:
             for surface in everything:
                 self._write("eye_from_object", view.eye_from_object(surface))
                 self._wires(surface.mesh).render(moderngl.LINES)
+        if marks.boxes is not None and marks.boxes[0] < len(setup.scene.objects):
+            surface = everything[marks.boxes[0]]
+            self._write("eye_from_object", view.eye_from_object(surface))
+            self._lines(box_lines(surface.mesh, marks.boxes[1]), "boxes")
         self._write("eye_from_object", np.eye(4))
         for on, name in (
             (marks.vertex_normals, "vertex normals"),
@@ -136,8 +158,12 @@ class LineArt:
         lines = [normal_lines(surface, length, name == "face normals") for surface in everything]
         if not lines:
             return
+        places = view.relative(np.concatenate(lines).reshape(-1, 3))
+        self._lines(places.astype(np.float32), name)
+
+    def _lines(self, places: NDArray[np.float32], name: str) -> None:
+        """Segments between pairs of places (2 N, 3)."""
         self._write("colour", COLOURS[name])
-        places = view.relative(np.concatenate(lines).reshape(-1, 3)).astype(np.float32)
         buffer = self._context.buffer(places.tobytes())
         array = self._context.vertex_array(self._program, [(buffer, "3f", "position")])
         array.render(moderngl.LINES)

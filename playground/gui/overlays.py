@@ -12,7 +12,7 @@ from playground.gui.gizmo_math import Array, seen
 from playground.gui.gizmos import ring_radius, spot_end, tint
 from playground.gui.overlay_knobs import Overlays
 from playground.render.view import View
-from playground.scene.light import DirectionalLight, PointLight, SpotLight
+from playground.scene.light import AreaLight, DirectionalLight, PointLight, SpotLight
 from playground.scene.setup import Setup
 from playground.shading.vector import unit
 
@@ -56,7 +56,7 @@ def _axes(view: View, canvas: Canvas) -> None:
 
 
 def _light_rays(setup: Setup, view: View, canvas: Canvas) -> None:
-    """An arrow for every light, and the cone of a spot light."""
+    """An arrow for every light, the cone of a spot light, the outline of an area light."""
     centre, radius = setup.bounds()
     for light in setup.scene.lights:
         colour = tint(light)
@@ -67,13 +67,25 @@ def _light_rays(setup: Setup, view: View, canvas: Canvas) -> None:
             sun = ring_radius(setup, view, canvas.size) * unit(light.to_light)
             ends = centre + sun, centre + NEAR_END * sun
         else:
-            assert isinstance(light, PointLight)
-            offset = np.asarray(light.position) - centre
+            assert isinstance(light, (PointLight, AreaLight))
+            if isinstance(light, AreaLight):
+                _outline(light, view, canvas)
+            place = light.centre if isinstance(light, AreaLight) else light.position
+            offset = np.asarray(place) - centre
             away = float(np.linalg.norm(offset))
             ends = centre + offset, centre + offset * min(NEAR_END * radius / (away or 1.0), 1.0)
         line = segment(view, *ends, canvas.size)
         if line is not None:
             canvas.arrow(*line, colour)
+
+
+def _outline(light: AreaLight, view: View, canvas: Canvas) -> None:
+    """The edges of an area light."""
+    corners = np.asarray(light.corners)
+    for a, b in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+        line = segment(view, a, b, canvas.size)
+        if line is not None:
+            canvas.line(*line, tint(light), 2.0)
 
 
 def _cone(light: SpotLight, setup: Setup, view: View, canvas: Canvas) -> None:

@@ -34,11 +34,13 @@ def picked(state: State, origin: imgui.ImVec2, size: tuple[int, int]) -> State:
         return state
     dense = io.display_framebuffer_scale
     at = ((io.mouse_pos.x - origin.x) * dense.x, (io.mouse_pos.y - origin.y) * dense.y)
-    found = place(pictures(state, *size), *at)
+    shown = pictures(state, *size)
+    found = place(shown, *at)
     if found is None:
         return state
     number, share = found
-    clue = replace(state.clue, picture=number, corner=None)
+    seen = (state.layout, shown[number].box[2:])
+    clue = replace(state.clue, picture=number, corner=None, seen=seen)
     state = replace(state, pixel=share, clue=clue)
     return replace(state, unfold=PANEL) if clicked else state
 

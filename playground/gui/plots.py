@@ -29,7 +29,14 @@ PLAIN = (
 
 
 def begin(name: str, theme: str, height: float, more: int = 0) -> bool:
-    """Open a plot over the whole width in the colours of the theme; `end` it if true."""
+    """Open a plot over the whole width in the colours of the theme; `end` it if true.
+
+    Out of sight, only its place is taken.
+    """
+    room = imgui.ImVec2(imgui.get_content_region_avail().x, height)
+    if not imgui.is_rect_visible(room):
+        imgui.dummy(room)
+        return False
     implot.style_colors_auto()
     paper, field = PALETTES[theme].paper, PALETTES[theme].field
     implot.push_style_color(implot.Col_.frame_bg, imgui.ImVec4(*paper, 1.0))

@@ -15,7 +15,7 @@ LARGE = 1.6  # text size
 ORDER = ("off", "black", "white")
 BACKGROUNDS = {"black": (0.0, 0.0, 0.0), "white": (1.0, 1.0, 1.0)}
 Rgb = tuple[float, float, float]
-FOR_BEGINNERS = ("View", "Terms", "Material", "Lights")
+FOR_BEGINNERS = ("Explain", "View", "Terms", "Material", "Lights")
 
 
 def presenting(state: State) -> bool:

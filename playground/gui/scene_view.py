@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import moderngl
@@ -12,12 +14,22 @@ from playground.gui.difference import DifferencePicture
 from playground.gui.overlay_lines import NO_MARKS, LineArt, Marks
 from playground.gui.reference import ReferencePicture
 from playground.gui.texture_target import TextureTarget
+from playground.gui.traced_slots import TracedSlots
 from playground.render.gl.program import ShaderError
 from playground.render.gl.renderer import GLRenderer
+from playground.scene.settings import Settings, Shading
 from playground.scene.setup import Setup
 
 if TYPE_CHECKING:
     from types import TracebackType
+
+
+@dataclass(frozen=True)
+class Given:
+    """A picture that GL has not drawn; ``stamp`` changes when it does."""
+
+    texture: moderngl.Texture
+    stamp: object
 
 
 class Slot:
@@ -29,6 +41,7 @@ class Slot:
         self._target: TextureTarget | None = None
         self._drawn: Setup | None = None
         self._marks = NO_MARKS
+        self._given: Given | None = None
         self._lines: LineArt | None = None
         self._query = context.query(time=True)
         self._waiting = False
@@ -36,9 +49,15 @@ class Slot:
         self._milliseconds = 0.0
 
     def texture(
-        self, setup: Setup, size: tuple[int, int], marks: Marks = NO_MARKS
+        self,
+        setup: Setup,
+        size: tuple[int, int],
+        marks: Marks = NO_MARKS,
+        given: Given | None = None,
     ) -> moderngl.Texture:
         """The texture with the picture of ``setup``, and ``marks`` drawn over it.
+
+        A picture that is ``given`` takes the place of the drawn one, which lends its depth.
 
         Raises
         ------
@@ -46,8 +65,8 @@ class Slot:
             What the renderer refuses; the old picture is lost.
         """
         target = self._sized(size, setup.settings.samples)
-        if marks != self._marks:
-            self._drawn, self._marks = None, marks
+        if (marks, given) != (self._marks, self._given):
+            self._drawn, self._marks, self._given = None, marks, given
         if self._drawn is not setup and self._drawn != setup:
             self._drawn = None
             self._draw(setup, target)
@@ -76,6 +95,8 @@ class Slot:
         self._renderer.size = target.size
         with self._query:
             self._draw_edited(setup, target)
+            if self._given is not None:
+                target.lay(self._given.texture)
             if self._marks:
                 self._lines = self._lines or LineArt(self._context)
                 self._lines.draw(setup, self._marks, target.size)
@@ -122,8 +143,10 @@ class Slots:
         self._slots: list[Slot] = []
         self.reference = ReferencePicture(context)
         self.difference = DifferencePicture(context)
+        self.traced = TracedSlots(context)
+        self._chalk = Slot(context)
         self._texts: Mapping[str, str] = {}
-        self._used = 0
+        self._used: tuple[int, ...] = ()
 
     def __getitem__(self, index: int) -> Slot:
         while index >= len(self._slots):
@@ -131,9 +154,15 @@ class Slots:
             self._slots[-1].override(self._texts)
         return self._slots[index]
 
-    def use(self, count: int) -> None:
-        """Say how many pictures the present layout has."""
-        self._used = count
+    def marked(self, given: Given, setup: Setup, marks: Marks) -> moderngl.Texture:
+        """The texture with a picture of ``setup`` that has no depth, and ``marks`` over it."""
+        bare = replace(setup, settings=_unlit(setup.settings))
+        return self._chalk.texture(bare, given.texture.size, marks, given)
+
+    def use(self, rastered: Iterable[int], traced: Iterable[int] = ()) -> None:
+        """Say which pictures of the present layout GL draws, and which are ray traced."""
+        self._used = tuple(rastered)
+        self.traced.use(traced)
 
     def override(self, texts: Mapping[str, str]) -> None:
         """Draw every picture with ``texts`` in place of shader files."""
@@ -144,13 +173,13 @@ class Slots:
     @property
     def shader_error(self) -> str:
         """Why the texts are not what the pictures in use were drawn with, or empty."""
-        errors = (slot.shader_error for slot in self._slots[: self._used])
+        errors = (self[number].shader_error for number in self._used)
         return next(filter(None, errors), "")
 
     @property
     def milliseconds(self) -> float:
         """GPU time of the last drawing of every picture in use."""
-        return sum(slot.milliseconds for slot in self._slots[: self._used])
+        return sum(self[number].milliseconds for number in self._used) + self.traced.milliseconds
 
     @property
     def draws(self) -> int:
@@ -167,7 +196,8 @@ class Slots:
         self.reference.rest()
         self.reference.release()
         self.difference.release()
-        for slot in self._slots:
+        self.traced.close()
+        for slot in (*self._slots, self._chalk):
             slot.release()
         self._slots.clear()
 
@@ -181,3 +211,10 @@ class Slots:
         trace: TracebackType | None,
     ) -> None:
         self.close()
+
+
+# The same settings give the same object again: renderers notice change by identity.
+@lru_cache(maxsize=16)
+def _unlit(settings: Settings) -> Settings:
+    """Enough for the depth of a picture."""
+    return replace(settings, shading=Shading.PER_FRAGMENT.value, terms=(), bugs=())

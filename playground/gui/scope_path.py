@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from math import atan2, degrees
 from typing import TYPE_CHECKING
 
 from playground.gui.guess import played
+from playground.gui.long_work import Progress
 from playground.measure.popping import Step, orbit
 from playground.scene.camera import Camera
 from playground.scene.knob import Declared, number
+from playground.scene.settings import Settings
 from playground.scene.setup import Setup
 
 if TYPE_CHECKING:
@@ -22,6 +25,9 @@ EXACT = ("reference",)
 CLOSE = 1e-6  # of the distance: nearer than this to the path is on it
 
 
+Texts = tuple[tuple[str, str], ...]  # files of shaders/ and what stands in them
+
+
 @dataclass(frozen=True)
 class Scope(Declared):
     """What is measured of which setup, and how far along.
@@ -32,29 +38,24 @@ class Scope(Declared):
     label = "scope"
 
     of: Setup | None = None
+    shaders: Texts = ()  # texts in place of shader files
     running: bool = False
     drawn: tuple[Step, ...] = ()  # per-vertex and per-fragment
     exact: tuple[Step, ...] = ()  # the reference
-    left: float = 0.0  # seconds that the measuring will still take, about
+    progress: Progress = Progress()
     error: str = ""
     playing: bool = False
     angle: float = number(0.0, 0.0, 360.0, unit="degrees", help="where on its path the camera is")
 
-    @property
-    def share(self) -> float:
-        """How much of the measuring is done, from 0 to 1."""
-        return (len(self.drawn) + len(self.exact)) / (2 * len(ANGLES))
-
 
 def measured(state: State) -> State:
-    """Ask for the measurement of the setup as it is."""
+    """Ask for the measurement of the setup as it is, with the shaders as they are."""
     setup, base = played(state, state.setup), path(state)
     setup = replace(setup, camera=base)  # a new object: the measuring notices by identity
     before = state.scope
     angle = angle_of(base, state.setup.camera, before.angle)
-    return replace(
-        state, scope=Scope(of=setup, running=True, playing=before.playing, angle=angle or 0.0)
-    )
+    asked = Scope(setup, shaders(state), True, playing=before.playing, angle=angle or 0.0)
+    return replace(state, scope=asked)
 
 
 def cancelled(state: State) -> State:
@@ -65,14 +66,24 @@ def cancelled(state: State) -> State:
 def outdated(state: State) -> bool:
     """Whether anything but the camera differs from what was measured."""
     of = state.scope.of
-    if of is None:
+    if of is None or shaders(state) != state.scope.shaders:
         return True
     setup = played(state, state.setup)
     return of.scene != setup.scene or _but_shading(of) != _but_shading(setup)
 
 
-def _but_shading(setup: Setup) -> object:
-    return replace(setup.settings, shading=DRAWN[0], samples=1)
+def shaders(state: State) -> Texts:
+    """What takes the place of shader files; of two texts for one file the later counts."""
+    return (*state.on_disk, *state.edits)
+
+
+def _but_shading(setup: Setup) -> Settings:
+    return _unshaded(setup.settings)
+
+
+@lru_cache(maxsize=8)
+def _unshaded(settings: Settings) -> Settings:
+    return replace(settings, shading=DRAWN[0], samples=1)
 
 
 def path(state: State) -> Camera:
@@ -89,6 +100,7 @@ def off_path(state: State) -> bool:
     return of is not None and angle_of(of.camera, state.setup.camera, 0.0) is None
 
 
+@lru_cache(maxsize=16)
 def angle_of(base: Camera, camera: Camera, near: float) -> float | None:
     """The angle at which ``camera`` stands on the path of ``base``; None if it does not.
 

@@ -6,17 +6,17 @@ every frame; the float64 reference is computed on a thread.
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Generator, Mapping
 from dataclasses import replace
-from time import perf_counter
 from typing import Any
 
-from playground.gui.aside import Aside
+from playground.gui.long_work import LongWork, counted, together
 from playground.gui.scope_path import ANGLES, DRAWN, EXACT, Scope
-from playground.measure.popping import Step, scope
+from playground.measure.popping import Step, along, scope
+from playground.render.gl.program import ShaderError
+from playground.render.gl.renderer import GLRenderer
 from playground.scene.setup import Setup
 
-BUDGET = 0.008  # seconds of every frame; at least one step is made
 SIZE = (160, 120)
 
 
@@ -26,9 +26,8 @@ class ScopeRun:
     def __init__(self, context: Any) -> None:
         self._context = context
         self._of: Setup | None = None
-        self._drawn: Generator[Step] | None = None
-        self._exact: Aside[Step] | None = None
-        self._began = 0.0
+        self._drawn: LongWork[Step] | None = None
+        self._exact: LongWork[Step] | None = None
 
     def advance(self, asked: Scope) -> Scope:
         """The scope with what this frame has added."""
@@ -37,47 +36,33 @@ class ScopeRun:
             return asked
         if asked.of is not self._of:
             self.stop()
-            self._start(asked.of)
-        assert self._exact is not None
+            self._start(asked.of, dict(asked.shaders))
+        assert self._drawn is not None and self._exact is not None
         try:
-            drawn = asked.drawn + self._steps()
-            if self._exact.error is not None:
-                raise self._exact.error
+            drawn, exact = self._drawn.take(), self._exact.take()
         except Exception as error:  # a mesh that is gone, a shader that does not compile
             self.stop()
             return replace(asked, running=False, error=str(error))
-        exact = asked.exact + self._exact.take()
-        after = replace(asked, drawn=drawn, exact=exact, error="")
-        if len(drawn) == len(exact) == len(ANGLES):
+        progress = together(self._drawn.progress, self._exact.progress)
+        running = not (self._drawn.done and self._exact.done)
+        if not running:
             self.stop()
-            return replace(after, running=False, left=0.0)
-        took = perf_counter() - self._began
-        slowest = min(len(drawn), len(exact)) / len(ANGLES)
-        return replace(after, left=took * (1.0 - slowest) / slowest if slowest else 0.0)
+        drawn, exact = asked.drawn + drawn, asked.exact + exact
+        return replace(
+            asked, drawn=drawn, exact=exact, progress=progress, running=running, error=""
+        )
 
-    def _start(self, setup: Setup) -> None:
-        self._of, self._began = setup, perf_counter()
-        self._drawn = scope(setup, ANGLES, DRAWN, SIZE, "gl", self._context)
-        self._exact = Aside(scope(setup.with_(bugs=()), ANGLES, EXACT, SIZE, "numpy"))
-
-    def _steps(self) -> tuple[Step, ...]:
-        until, found = perf_counter() + BUDGET, []
-        while self._drawn is not None:
-            step = next(self._drawn, None)
-            if step is None:
-                self._drawn = None
-                break
-            found.append(step)
-            if perf_counter() > until:
-                break
-        return tuple(found)
+    def _start(self, setup: Setup, shaders: Mapping[str, str]) -> None:
+        self._of, count = setup, len(ANGLES)
+        exact = scope(setup.with_(bugs=()), ANGLES, EXACT, SIZE, "numpy")
+        self._drawn = LongWork(counted(drawn(setup, shaders, self._context), count))
+        self._exact = LongWork(counted(exact, count), aside=True)
 
     def stop(self) -> None:
         """Let go of what was being measured."""
-        if self._drawn is not None:
-            self._drawn.close()
-        if self._exact is not None:
-            self._exact.stop()
+        for work in (self._drawn, self._exact):
+            if work is not None:
+                work.stop()
         self._of = self._drawn = self._exact = None
 
     def close(self) -> None:
@@ -86,3 +71,19 @@ class ScopeRun:
         self.stop()
         if exact is not None:
             exact.close()
+
+
+def drawn(setup: Setup, shaders: Mapping[str, str], context: Any) -> Generator[Step]:
+    """The modes of the GPU, with ``shaders`` in place of shader files.
+
+    Raises
+    ------
+    ShaderError
+        What stands in the way of drawing with them.
+    """
+    with GLRenderer(SIZE, context) as renderer:
+        renderer.overrides = shaders
+        for step in along(setup, ANGLES, dict.fromkeys(DRAWN, renderer)):
+            if renderer.shader_error:
+                raise ShaderError(renderer.shader_error)
+            yield step

@@ -11,6 +11,7 @@ from functools import lru_cache
 from time import monotonic
 
 from playground import locate
+from playground.gui.live_files import live_files
 from playground.gui.state import State, Texts
 from playground.render.gl.program import STAGES, sources_for
 from playground.render.gl.source import shader_text
@@ -120,13 +121,12 @@ def _needs(scene: Scene, camera: Camera, settings: Settings, chosen: int) -> Nee
 
 @lru_cache(maxsize=8)
 def _files(wanted: Needs) -> tuple[str, ...]:
-    """The files that the preprocessor keeps, as far as includes in #if tell."""
-    origins = (place for source in sources_for(wanted) for place in source.origin)
-    found = dict.fromkeys(file for file, _ in origins if not file.startswith("("))
-    texture = wanted.texture
+    """The files that the preprocessor keeps, the two stages first."""
+    found: dict[str, None] = {}
+    for source in sources_for(wanted):
+        found |= live_files(source)
     stages = STAGES[wanted.shading]
-    kept = [f for f in found if texture or "texture" not in f]
-    return tuple(sorted(kept, key=lambda f: f not in stages))
+    return tuple(sorted(found, key=lambda file: file not in stages))
 
 
 class Watch:

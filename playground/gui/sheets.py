@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,13 +18,18 @@ MOUSE = (
     ("why this colour?", "click, or Shift and move"),
     ("forget that", "right click"),
     ("orbit", "drag"),
-    ("pan", "right or Shift drag, Shift wheel"),
+    ("pan", "right drag, Shift drag"),
+    ("pan as well", "Shift wheel"),
     ("nearer, farther", "wheel"),
     ("type a value", "Ctrl-click"),
     ("default value", "right-click"),
+    ("move a handle", "drag it"),
+    ("nearer or farther", "and Shift, or wheel"),
     ("open a file", "drop it here"),
 )
 COLUMNS = 3  # of the sheet of keys, where there is room
+GAP = 0.8  # between them, in heights of the text
+Table = tuple[str, list[tuple[str, str]]]  # its title, and what each key does
 KINDS = (".toml", ".png", *MESH_FILES)
 TITLES = {
     "shortcuts": "Keys and mouse",
@@ -40,7 +46,7 @@ def draw(state: State) -> State:
     imgui.set_next_window_pos(middle, imgui.Cond_.always, imgui.ImVec2(0.5, 0.5))
     view = imgui.get_main_viewport().work_size
     wide = (84 if state.sheet == "shortcuts" else 42) * size
-    high = {"shortcuts": 40, "save": 7}.get(state.sheet, 30) * size
+    high = {"shortcuts": 36, "save": 7}.get(state.sheet, 30) * size
     room = imgui.ImVec2(min(wide, view.x - 2 * size), min(high, view.y - 2 * size))
     imgui.set_next_window_size(room)
     flags = imgui.WindowFlags_.no_resize.value | imgui.WindowFlags_.no_collapse.value
@@ -49,30 +55,62 @@ def draw(state: State) -> State:
         state = SHEETS[state.sheet](state)
     imgui.end()
     escape = imgui.is_key_pressed(imgui.Key.escape)
-    return replace(state, sheet="") if escape or not stays else state
+    if stays and not escape:
+        return state
+    # The folder that was looked into stays; a name to save is not one to open.
+    return replace(state, sheet="", typed="" if state.sheet == "save" else state.typed)
 
 
 def _keys(state: State) -> State:
-    """Columns of tables, one table per menu."""
-    count = COLUMNS if imgui.get_window_width() > 65 * imgui.get_font_size() else 2
-    imgui.columns(count, "keys", False)
+    """Columns of tables, one table per menu; fewer columns where they would not fit."""
     groups = [(menu, [(a.name, a.keys) for a in ACTIONS if a.menu == menu]) for menu in MENUS]
     groups.append(("Mouse", list(MOUSE)))
+    size, room = imgui.get_font_size(), imgui.get_content_region_avail().x
+    imgui.push_style_var(imgui.StyleVar_.item_spacing, imgui.ImVec2(GAP * size, 0.2 * size))
+    for count in range(COLUMNS, 0, -1):
+        columns = _columns(groups, count)
+        tabs = [_widest(name for _, lines in column for name, _ in lines) for column in columns]
+        ends = [_widest(keys for _, lines in column for _, keys in lines) for column in columns]
+        wide = sum(tabs) + sum(ends) + (2 * len(columns) - 1) * GAP * size
+        if wide <= room or count == 1:
+            break
+    for i, (column, tab) in enumerate(zip(columns, tabs, strict=True)):
+        if i:
+            imgui.same_line(0.0, GAP * size + max(room - wide, 0.0) / count)
+        imgui.begin_group()
+        _tables(column, tab + GAP * size)
+        imgui.end_group()
+    imgui.pop_style_var()
+    return state
+
+
+def _columns(groups: list[Table], count: int) -> list[list[Table]]:
+    """The tables in columns of about the same height."""
+    columns: list[list[Table]] = [[] for _ in range(count)]
     share = sum(len(lines) + 2 for _, lines in groups) / count
     so_far = column = 0
     for title, lines in groups:
-        if so_far + (len(lines) + 2) / 2 > share * (column + 1) and column + 1 < count:
-            imgui.next_column()
+        high = len(lines) + 2
+        if so_far + high / 2 > share * (column + 1) and column + 1 < count:
             column += 1
-        so_far += len(lines) + 2
+        so_far += high
+        columns[column].append((title, lines))
+    return columns
+
+
+def _tables(column: list[Table], tab: float) -> None:
+    """One table below the other, the keys behind ``tab``."""
+    for title, lines in column:
         imgui.text_disabled(title)
         for name, keys in lines:
             imgui.text(name)
-            imgui.same_line(14.5 * imgui.get_font_size())
+            imgui.same_line(tab)
             imgui.text_unformatted(keys)
         imgui.spacing()
-    imgui.columns(1)
-    return state
+
+
+def _widest(words: Iterable[str]) -> float:
+    return max((float(imgui.calc_text_size(word).x) for word in words), default=0.0)
 
 
 def _open(state: State) -> State:
@@ -88,12 +126,15 @@ def _open(state: State) -> State:
     if imgui.button("Open", imgui.ImVec2(-1, 0)) or entered:
         return _chosen(state, Path(state.typed).expanduser())
     if imgui.begin_child("files"):
-        for path in entries(folder):
+        found = entries(folder)
+        for path in found:
             name = f"{path.name}/" if path.is_dir() else path.name
             if path == folder.parent:
                 name = "../"
             if imgui.selectable(name, False)[0]:
                 state = _chosen(state, path)
+        if not any(path.suffix.lower() in KINDS for path in found):
+            imgui.text_disabled(f"no file here that can be opened: {' '.join(KINDS)}")
     imgui.end_child()
     return state
 

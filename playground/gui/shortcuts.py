@@ -7,26 +7,29 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
+from functools import cache, partial
 
 from imgui_bundle import imgui
 
 from playground.gui import actions, presentation
 from playground.gui.navigation import NOTCH, SHIFT_STEP, STEP, closer, shifted, turned
 from playground.gui.pixel_pick import forget
-from playground.gui.state import State
+from playground.gui.stand import stepped
+from playground.gui.state import TRACED, State
 from playground.scene.settings import TERMS, Shading
 
 FUNCTION_KEYS = range(imgui.Key.f1.value, imgui.Key.f12.value + 1)  # nobody types with them
 CTRL, SHIFT = imgui.Key.mod_ctrl.value, imgui.Key.mod_shift.value
+ESCAPE = imgui.Key.escape.value
 
 
 @dataclass(frozen=True)
 class Action:
     """One thing that can be done.
 
-    ``chords`` are ImGui key chords, the first of which is written as ``keys``.
-    ``repeats`` says that holding the key repeats it.
+    ``chords`` are ImGui key chords, all of which are written in ``keys``.
+    ``repeats`` says that holding the key repeats it. ``on`` says whether what the action
+    switches is on: the menu shows a tick then.
     """
 
     menu: str
@@ -35,6 +38,7 @@ class Action:
     chords: tuple[int, ...]
     do: Callable[[State], State]
     repeats: bool = False
+    on: Callable[[State], bool] | None = None
 
 
 def _key(name: str, modifiers: int = 0) -> int:
@@ -44,11 +48,21 @@ def _key(name: str, modifiers: int = 0) -> int:
 def _term(number: int, term: str) -> Action:
     letter, do = term[0], partial(actions.toggle_term, term=term)
     keys = (_key(f"_{number}"), _key(f"keypad{number}"), _key(letter))
-    return Action("Shading", f"{term} on or off", f"{number} or {letter.upper()}", keys, do)
+    name, on = f"{term} on or off", partial(_adds, term=term)
+    return Action("Shading", name, f"{number} or {letter.upper()}", keys, do, on=on)
 
 
 def _mode(mode: str, keys: str, *chords: int) -> Action:
-    return Action("Shading", mode, keys, chords, partial(actions.shade, mode=mode))
+    do, on = partial(actions.shade, mode=mode), partial(_shaded, mode=mode)
+    return Action("Shading", mode, keys, chords, do, on=on)
+
+
+def _adds(state: State, term: str) -> bool:
+    return term in state.setup.settings.terms
+
+
+def _shaded(state: State, mode: str) -> bool:
+    return bool(state.mode == mode)
 
 
 def _walk(name: str, arrow: str, yaw: float, pitch: float) -> Action:
@@ -58,7 +72,12 @@ def _walk(name: str, arrow: str, yaw: float, pitch: float) -> Action:
 
 def _overlay(name: str, letter: str, knob: str) -> Action:
     do = partial(actions.toggle_overlay, name=knob)
-    return Action("Picture", name, letter.upper(), (_key(letter),), do)
+    on = partial(_lies_over, name=knob)
+    return Action("Picture", name, letter.upper(), (_key(letter),), do, on=on)
+
+
+def _lies_over(state: State, name: str) -> bool:
+    return bool(getattr(state.overlays, name))
 
 
 def _shift(name: str, arrow: str, right: float, up: float) -> Action:
@@ -86,7 +105,7 @@ ACTIONS: tuple[Action, ...] = (
     Action(
         "Edit",
         "Redo",
-        "Ctrl+Y",
+        "Ctrl+Y or Ctrl+Shift+Z",
         (_key("y", CTRL), _key("z", CTRL | SHIFT)),
         actions.redo,
         repeats=True,
@@ -95,13 +114,29 @@ ACTIONS: tuple[Action, ...] = (
     _mode(Shading.FLAT.value, "Shift+F", _key("f", SHIFT)),
     _mode(Shading.PER_VERTEX.value, "V or G", _key("v"), _key("g")),
     _mode(Shading.PER_FRAGMENT.value, "P", _key("p")),
+    Action(
+        "Shading",
+        "Ray tracing, or back",
+        "Y",
+        (_key("y"),),
+        actions.toggle_tracing,
+        on=lambda state: state.method == TRACED,
+    ),
     *(_term(i, term) for i, term in enumerate(TERMS, 1)),
     Action("Camera", "Frame the objects", "F", (_key("f"),), actions.frame_objects),
-    Action("Camera", "Walk around, or stop", "Space", (_key("space"),), actions.play),
-    _walk("Left", "left", -STEP, 0.0),
-    _walk("Right", "right", STEP, 0.0),
-    _walk("Up", "up", 0.0, STEP),
-    _walk("Down", "down", 0.0, -STEP),
+    Action(
+        "Camera",
+        "Walk around, or stop",
+        "Space",
+        (_key("space"),),
+        actions.play,
+        on=lambda state: state.playing,
+    ),
+    Action("Camera", "Arrows from the side, or back", "O", (_key("o"),), stepped),
+    _walk("Orbit left", "left", -STEP, 0.0),
+    _walk("Orbit right", "right", STEP, 0.0),
+    _walk("Orbit up", "up", 0.0, STEP),
+    _walk("Orbit down", "down", 0.0, -STEP),
     _shift("Move left", "left", -SHIFT_STEP, 0.0),
     _shift("Move right", "right", SHIFT_STEP, 0.0),
     _shift("Move up", "up", 0.0, SHIFT_STEP),
@@ -136,10 +171,23 @@ ACTIONS: tuple[Action, ...] = (
         (_key("f5"),),
         presentation.next_presentation,
     ),
-    Action("Window", "End the presentation", "Esc", (_key("escape"),), presentation.ended),
     Action("Window", "Beginner or full layout", "B", (_key("b"),), presentation.next_level),
-    Action("Window", "Show or hide the controls", "H", (_key("h"),), actions.toggle_panel),
-    Action("Window", "Shaders, to read and edit", "F4", (_key("f4"),), actions.toggle_shaders),
+    Action(
+        "Window",
+        "Show or hide the controls",
+        "H",
+        (_key("h"),),
+        actions.toggle_panel,
+        on=lambda state: state.panel,
+    ),
+    Action(
+        "Window",
+        "Shaders, to read and edit",
+        "F4",
+        (_key("f4"),),
+        actions.toggle_shaders,
+        on=lambda state: state.shaders,
+    ),
     _overlay("Wireframe", "w", "wireframe"),
     _overlay("Normals", "n", "vertex_normals"),
     _overlay("Axes", "x", "axes"),
@@ -162,6 +210,7 @@ ACTIONS: tuple[Action, ...] = (
     ),
     Action("Window", "Usual text", "Ctrl 0", (_key("_0", CTRL),), actions.usual_text),
     Action("Window", "Forget the explained pixel", "Esc", (_key("escape"),), forget),
+    Action("Window", "End the presentation", "Esc", (_key("escape"),), presentation.ended),
     Action(
         "Help",
         "Keys",
@@ -174,22 +223,47 @@ ACTIONS: tuple[Action, ...] = (
 MENUS = tuple(dict.fromkeys(action.menu for action in ACTIONS))
 
 
+def keys_of(name: str) -> str:
+    """The keys of an action, for tooltips."""
+    return next(action.keys for action in ACTIONS if action.name == name)
+
+
 def pressed(state: State) -> State:
-    """What the keys of this frame do, but for those that a text field or a sheet has."""
-    typing = imgui.get_io().want_text_input
+    """What the keys of this frame do, but for those that a text field, a menu or a sheet has.
+
+    A key does one thing: Esc forgets the pixel, and only if there is none ends the presentation.
+    """
+    typing, done = imgui.get_io().want_text_input, set[int]()
+    if _hit(ESCAPE, False) and _menu_closed():
+        return state
     for action in ACTIONS:
         chords = [c for c in action.chords if not typing or c in FUNCTION_KEYS]
-        if any(_hit(chord, action.repeats) for chord in chords):
-            if state.sheet and action.menu != "Help":
-                continue
-            state = action.do(state)
+        hit = {chord for chord in chords if chord not in done and _hit(chord, action.repeats)}
+        if hit and (not state.sheet or action.menu == "Help"):
+            before, state = state, action.do(state)
+            done |= hit if state is not before else set()
     return state
 
 
+def _menu_closed() -> bool:
+    """Close an open menu or list; Dear ImGui does so for its keyboard navigation alone."""
+    popup = imgui.PopupFlags_
+    if not imgui.is_popup_open("", popup.any_popup_id.value | popup.any_popup_level.value):
+        return False
+    imgui.internal.close_popup_to_level(0, True)
+    return True
+
+
 def _hit(chord: int, repeats: bool) -> bool:
+    key, modifiers = _parts(chord)
+    return bool(imgui.is_key_pressed(key, repeats)) and _modifiers() == modifiers
+
+
+@cache
+def _parts(chord: int) -> tuple[imgui.Key, int]:
+    """The key and the modifiers of a chord."""
     modifiers = imgui.Key.mod_mask_.value
-    pressed_now = imgui.is_key_pressed(imgui.Key(chord & ~modifiers), repeats)
-    return bool(pressed_now) and _modifiers() == chord & modifiers
+    return imgui.Key(chord & ~modifiers), chord & modifiers
 
 
 def _modifiers() -> int:

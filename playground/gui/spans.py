@@ -11,6 +11,7 @@ from playground.scene.knob import UNBOUNDED, Knob
 
 STRETCH = 32.0  # a logarithmic slider spans default/32 to default·32: five stops each way
 SHORT = 10.0  # a linear slider up to this long shows hundredths
+RIGHT_CLICK = ("number", "integer", "switch", "colour", "vector")  # their widgets set the default
 WIDE = 20.0  # a range more than this many times the default is not spanned as a whole
 
 
@@ -19,7 +20,7 @@ def span(knob: Knob, value: float) -> tuple[float, float]:
     low, high, default = knob.low, knob.high, float(knob.default)
     if knob.scale == "log" and default > 0.0:
         low, high = max(low, default / STRETCH), min(high, default * STRETCH)
-    elif high - low > WIDE * max(abs(default), 1.0):
+    elif high - low > WIDE * max(abs(default), 1.0) and knob.unit != "degrees":
         high = max(low + 1.0, 2.0 * default)
     return min(low, value), max(high, value)
 
@@ -35,10 +36,13 @@ def drag_speed(values: tuple[float, ...]) -> float:
 
 
 def number_format(knob: Knob, low: float = 0.0, high: float = UNBOUNDED) -> str:
-    """How a slider from ``low`` to ``high`` prints its value and unit (a printf format)."""
-    unit = "°" if knob.unit == "degrees" else f" {knob.unit}" if knob.unit else ""
+    """How a slider from ``low`` to ``high`` prints its value (a printf format).
+
+    Degrees carry their sign. Lengths are in the scene's own unit, which has no sign; the
+    tooltip says so.
+    """
     plain = knob.scale == "linear" and high - low <= SHORT
-    return ("%.2f" if plain else "%.3g") + unit.replace("%", "%%")
+    return ("%.2f" if plain else "%.3g") + ("°" if knob.unit == "degrees" else "")
 
 
 def tidy(value: float) -> float:
@@ -49,7 +53,9 @@ def tidy(value: float) -> float:
 def hint(knob: Knob) -> str:
     """What the tooltip says: the sentence, the symbol, the range, the default, the mouse."""
     default = knob.default
-    if isinstance(default, tuple):
+    if knob.kind == "vertices":
+        default = f"{len(default)} corners"
+    elif isinstance(default, tuple):
         parts = (part if isinstance(part, str) else f"{part:g}" for part in default)
         default = ", ".join(parts)
     elif isinstance(default, bool):
@@ -59,7 +65,8 @@ def hint(knob: Knob) -> str:
     lines = [f"{knob.symbol}: {knob.help}" if knob.symbol else knob.help]
     if knob.kind not in ("switch", "choice", "names", "text"):
         lines.append(knob.allowed)
-    lines.append(f"default {default}   (right-click sets it)" if default != "" else "")
+    way = "   (right-click sets it)" if knob.kind in RIGHT_CLICK else ""
+    lines.append(f"default {default}{way}" if default != "" else "")
     if knob.kind in ("number", "integer", "vector"):
         lines.append("Ctrl-click to type a value")
     return "\n".join(line for line in lines if line)

@@ -8,6 +8,8 @@ from dataclasses import astuple, dataclass, fields, replace
 from typing import TYPE_CHECKING
 
 from playground.gui.guess import played
+from playground.gui.long_work import Progress
+from playground.gui.scope_path import Texts, shaders
 from playground.scene.knob import Declared, switch
 from playground.scene.scene import Object
 from playground.scene.setup import Setup
@@ -15,6 +17,9 @@ from playground.scene.shapes import SHAPES
 
 if TYPE_CHECKING:
     from playground.gui.state import State
+
+
+EDITED = " (edited)"  # behind the name of a setup that was drawn with other shaders
 
 
 @dataclass(frozen=True)
@@ -58,6 +63,9 @@ class SpeedLog(Declared):
 
     dots: tuple[Dot, ...] = ()
     of: Setup | None = None  # what is being measured
+    shaders: Texts = ()  # with these texts in place of shader files
+    edited: Texts = ()  # the texts that the dots called edited were measured with
+    progress: Progress = Progress()
     error: str = ""
     gpu_ms: float = 0.0  # of the window's own frames
     wall_ms: float = 0.0
@@ -78,9 +86,14 @@ class SpeedLog(Declared):
 
 
 def asked(state: State) -> State:
-    """Measure the setup as it is."""
+    """Measure the setup as it is, with the shaders as they are; dots of other edits go."""
     of = replace(played(state, state.setup))  # a new object, noticed by identity
-    return replace(state, speed=replace(state.speed, of=of, error=""))
+    log, texts = state.speed, shaders(state)
+    if texts and texts != log.edited:
+        kept = tuple(dot for dot in log.dots if not dot.setup.endswith(EDITED))
+        log = replace(log, dots=kept, edited=texts)
+    log = replace(log, of=of, shaders=texts, progress=Progress(), error="")
+    return replace(state, speed=log)
 
 
 def cancelled(state: State) -> State:
@@ -89,15 +102,27 @@ def cancelled(state: State) -> State:
 
 
 def untried(state: State) -> bool:
-    """Whether this mode and tessellation of this setup have no dot yet."""
-    return key_of(state.setup) not in {dot.key for dot in state.speed.dots}
+    """Whether this mode and tessellation of this setup have no dot yet, with these shaders."""
+    if state.shader_error:  # what is seen is not what would be measured
+        return False
+    return present(state) is None
 
 
-def key_of(setup: Setup) -> tuple[str, str, int, int]:
-    """What a dot of ``setup`` is a measurement of."""
+def present(state: State) -> Dot | None:
+    """The dot of what is shown now."""
+    texts = shaders(state)
+    if texts and texts != state.speed.edited:
+        return None
+    key = key_of(state.setup, texts)
+    return next((dot for dot in state.speed.dots if dot.key == key), None)
+
+
+def key_of(setup: Setup, texts: Texts = ()) -> tuple[str, str, int, int]:
+    """What a dot of ``setup`` is a measurement of, with ``texts`` in place of shader files."""
     objects = setup.scene.objects
     triangles = sum(len(item.geometry().mesh.faces) for item in objects)
-    return setup.name, setup.settings.shading, _tessellation(objects), triangles
+    name = setup.name + (EDITED if texts else "")
+    return name, setup.settings.shading, _tessellation(objects), triangles
 
 
 def _tessellation(objects: tuple[Object, ...]) -> int:

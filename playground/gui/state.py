@@ -5,15 +5,23 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
+from typing import NamedTuple
 
 from playground.gui.clue import Clue
 from playground.gui.gizmos import Grip
 from playground.gui.guess import Guess
 from playground.gui.history import History
+from playground.gui.mark_log import MarkLog
+from playground.gui.needs_log import NeedsLog
 from playground.gui.overlay_knobs import Overlays
 from playground.gui.presentation import backdrop
+from playground.gui.ray_view import RayView
+from playground.gui.reading import Reading
 from playground.gui.scope_path import Scope
+from playground.gui.snell import Bench
 from playground.gui.speed_log import SpeedLog
+from playground.gui.stand import Stand
+from playground.gui.trace_knobs import TraceChalk
 from playground.scene.knob import Declared, choice, number, switch
 from playground.scene.scene import Scene
 from playground.scene.settings import Shading
@@ -24,7 +32,15 @@ TWINS = ("none", "NumPy", "HLSL", "Cg")
 Texts = tuple[tuple[str, str], ...]  # files of shaders/ and what stands in them
 LAYOUTS = ("single", "side by side", "wipe", "terms", "difference")
 REFERENCE = "reference"  # the float64 picture of the NumPy renderer, among the shadings
+RASTER, TRACED = METHODS = ("raster", "ray-tracing")
 SMALLEST_TEXT, LARGEST_TEXT = 0.8, 2.5
+
+
+class Moment(NamedTuple):
+    """What undo and redo lead to."""
+
+    setup: Setup
+    method: str
 
 
 @dataclass(frozen=True)
@@ -40,7 +56,7 @@ class State(Declared):
 
     setup: Setup = field(default_factory=Setup)
     loaded: Setup = field(default_factory=Setup)
-    history: History = field(default_factory=History)
+    history: History[Moment] = field(default_factory=History)
     file: Path | None = None
     chosen: int = 0  # number of the object whose material and place are shown
     solo: int | None = None
@@ -49,6 +65,7 @@ class State(Declared):
     message: str = ""
     failed: bool = False
     wish: str = ""
+    reading: Reading | None = None  # the file that is being read beside the window
     source: str = ""  # what the loaded setup is called on a command line
     recent: tuple[str, ...] = ()  # files that were opened or saved, the newest first
     kept: tuple[bool, str, float, bool] | None = None  # of the window, while presenting
@@ -59,17 +76,28 @@ class State(Declared):
     guess: Guess = field(default_factory=Guess)
     scope: Scope = field(default_factory=Scope)
     speed: SpeedLog = field(default_factory=SpeedLog)
+    needs: NeedsLog = field(default_factory=NeedsLog)
+    mark_log: MarkLog = field(default_factory=MarkLog)
     pixel: tuple[float, float] | None = None  # that is explained: shares of width and height
     clue: Clue = field(default_factory=Clue)
+    stand: Stand | None = None  # where the viewer of that pixel stands, seen from the side
     unfold: str = ""  # the panel to open at the next frame
     overlays: Overlays = Overlays()
     grip: Grip | None = None  # the handle in the picture that the mouse holds
+    lamp: int = 0  # number of the light whose handle the mouse touched last: it has arrows
+    hint: str = ""  # what can be done with what is under the mouse
+    rays: RayView = RayView()  # how the rays behind the pixel are shown
+    chalk: TraceChalk = TraceChalk()
+    bench: Bench = Bench()
     smooth: int = 1  # setups are opened with at least so many samples per pixel
 
+    method: str = choice(
+        RASTER, METHODS, help="how the picture is made: triangle by triangle, or ray by ray (Y)"
+    )
     layout: str = choice("single", LAYOUTS, help="one picture, two to compare, or term by term")
     other: str = choice(
         Shading.PER_VERTEX.value,
-        (*(mode.value for mode in Shading), REFERENCE),
+        (*(mode.value for mode in Shading), REFERENCE, TRACED),
         help="what it is compared with; the reference is per-fragment in float64, by NumPy",
     )
     wipe: float = number(0.5, 0.0, 1.0, help="where the divider stands; drag it in the picture")
@@ -93,6 +121,16 @@ class State(Declared):
         1.0, SMALLEST_TEXT, LARGEST_TEXT, help="size of the text; larger for a projector"
     )
 
+    @property
+    def moment(self) -> Moment:
+        """What undo leads back to."""
+        return Moment(self.setup, self.method)
+
+    @property
+    def mode(self) -> str:
+        """What the first picture is called where two are compared."""
+        return TRACED if self.method == TRACED else self.setup.settings.shading
+
     def say(self, message: str) -> State:
         """The same with a message in the status line."""
         return replace(self, message=message, failed=False)
@@ -109,8 +147,10 @@ class State(Declared):
         """The same window with another setup loaded; undo leads back to the old one."""
         if setup.settings.samples < self.smooth:
             setup = setup.with_(samples=self.smooth)
+        same = self.other == setup.settings.shading  # there would be nothing to compare
         return replace(
             self,
+            other=unlike(setup) if same else self.other,
             setup=setup,
             loaded=setup,
             file=file,
@@ -119,18 +159,23 @@ class State(Declared):
             solo=None,
             playing=False,
             sheet="",
+            reading=None,
         ).unpicked()
 
     def unpicked(self) -> State:
         """The same without a pixel to explain."""
-        return replace(self, pixel=None, clue=replace(self.clue, lit=""))
+        return replace(self, pixel=None, clue=replace(self.clue, lit="", seen=None))
 
 
 def start(setup: Setup, smooth: int = 1) -> State:
     """The state of a window that has just opened on ``setup``."""
+    return State(other=unlike(setup), smooth=smooth).opened(setup)
+
+
+def unlike(setup: Setup) -> str:
+    """The shading that a setup is compared with at first."""
     modes = (Shading.PER_VERTEX.value, Shading.PER_FRAGMENT.value)
-    other = modes[setup.settings.shading == modes[0]]
-    return State(other=other, smooth=smooth).opened(setup)
+    return modes[setup.settings.shading == modes[0]]
 
 
 def shown(state: State) -> Setup:

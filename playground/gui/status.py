@@ -21,8 +21,9 @@ ROWS = 2  # of text
 
 def draw(state: State, numbers: str) -> None:
     """Two rows: message and numbers; what the pictures need of the renderer."""
-    message = state.message or state.setup.scene.title or state.setup.name
-    if state.failed:
+    alarm = state.failed and not state.hint
+    message = state.hint or state.message or state.setup.scene.title or state.setup.name
+    if alarm:
         imgui.push_style_color(imgui.Col_.text, (*PALETTES[state.theme].alarm, 1.0))
     text = f"{numbers}   {triangles(state.setup.scene):,} triangles"
     end = imgui.get_window_width() - imgui.get_style().window_padding.x
@@ -30,14 +31,14 @@ def draw(state: State, numbers: str) -> None:
     room = start - imgui.get_style().window_padding.x - imgui.get_font_size()
     imgui.text_unformatted(_cut(message, room))
     imgui.set_item_tooltip(_wrapped(message))
-    if state.failed:
+    if alarm:
         imgui.pop_style_color()
     imgui.same_line(start)
     imgui.text_disabled(text)
     line = "needs: " + described(state.setup)
     imgui.text_disabled(_cut(line, imgui.get_content_region_avail().x))
     imgui.set_item_tooltip(
-        "the features that this scene uses; nothing else is compiled or computed\n" + line
+        "the features that this scene uses; nothing else is compiled or computed\n" + _wrapped(line)
     )
 
 
@@ -72,6 +73,7 @@ def _cut(text: str, room: float) -> str:
     return text[:low] + "…"
 
 
+@lru_cache(maxsize=8)
 def _wrapped(text: str, width: int = 80) -> str:
     from textwrap import fill
 

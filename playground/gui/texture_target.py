@@ -27,3 +27,10 @@ class TextureTarget(Target):
         """Bring the samples together in the texture."""
         if self._drawn is not self._resolved:
             self._context.copy_framebuffer(self._resolved, self._drawn)
+
+    def lay(self, picture: moderngl.Texture) -> None:
+        """Put another picture of this size in the place of what is drawn, over its depth."""
+        other = self._context.framebuffer([picture])
+        self._context.copy_framebuffer(self._drawn, other)
+        other.release()
+        self._drawn.use()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 from imgui_bundle import imgui
 
@@ -65,7 +66,7 @@ def apply(theme: str, text_size: float, density: float) -> None:
     style, palette = imgui.get_style(), PALETTES[theme]
     (imgui.style_colors_dark if theme == "dark" else imgui.style_colors_light)()
     for index, colour in _colours(palette).items():
-        style.set_color_(index, (*colour, 1.0))
+        style.set_color_(index, colour)
     style.font_size_base = TEXT
     style.font_scale_main = text_size
     style.window_padding = imgui.ImVec2(10 * scale, 8 * scale)
@@ -88,11 +89,12 @@ def lay_paper(paper: Rgb | None) -> None:
         imgui.get_style().set_color_(imgui.Col_.window_bg, (*paper, 1.0))
 
 
-def _colours(palette: Palette) -> dict[int, Rgb]:
+@lru_cache(maxsize=len(PALETTES))
+def _colours(palette: Palette) -> dict[int, imgui.ImVec4]:
     paper, field, accent, text = palette.paper, palette.field, palette.accent, palette.text
     raised, hover = _mix(field, text, 0.10), _mix(field, text, 0.18)
     col = imgui.Col_
-    return {
+    made = {
         col.text: text,
         col.text_disabled: palette.faint,
         col.window_bg: paper,
@@ -119,6 +121,7 @@ def _colours(palette: Palette) -> dict[int, Rgb]:
         col.table_header_bg: _mix(paper, field, 0.9),
         col.table_row_bg_alt: _mix(paper, field, 0.3),
     }
+    return {index: imgui.ImVec4(*colour, 1.0) for index, colour in made.items()}
 
 
 def _mix(a: Rgb, b: Rgb, share: float) -> Rgb:

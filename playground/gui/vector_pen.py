@@ -31,6 +31,7 @@ NAMES = {
     "ρ": "rho: the angle between r and v",
 }
 REACH = 7.0  # pixels from an arrow that still hit it, at text size 1
+OPEN = 5.0  # pixels to either side, at text size 1, from which a sector is seen as one
 FADED = 0.35  # of its strength keeps an arrow while another one is lit
 
 
@@ -69,6 +70,42 @@ def arrow(start: Point, end: Point, symbol: str, lit: str, scale: float) -> None
         paint.add_triangle_filled(tip, left, right, shade)
 
 
+def angle(
+    start: Point, rim: list[Point], text: str, lit: str, beyond: float, scale: float
+) -> dict[str, Rect]:
+    """The sector of ρ between two arrows from ``start``, and its plate; returns where that is.
+
+    Seen edge-on it is a line, which has no place for a plate. Between arrows that are too
+    close the plate stands outside, ``beyond`` from ``start`` and further.
+    """
+    paint, alpha = imgui.get_window_draw_list(), strength("ρ", lit)
+    places: Places = [imgui.ImVec2(*place) for place in rim]
+    colour = ink(COLOURS["ρ"], alpha)
+    thick = (4.0 if lit == "ρ" else 2.5) * scale
+    if openness(start, rim) < OPEN * scale:
+        paint.add_polyline(places, colour, thick, 0)
+        return {}
+    paint.add_concave_poly_filled([imgui.ImVec2(*start), *places], ink(COLOURS["ρ"], 0.3 * alpha))
+    paint.add_polyline(places, imgui.IM_COL32(0, 0, 0, round(200 * alpha)), thick + 3.0 * scale, 0)
+    paint.add_polyline(places, colour, thick, 0)
+    x, y = rim[len(rim) // 2]
+    line, width = imgui.get_font_size(), plate_width(text)
+    long = max(hypot(x - start[0], y - start[1]), 1.0)
+    close = 2.0 * openness(start, rim) < width + line
+    far = (beyond + 2.2 * line) / long if close else 1.0 + (0.6 * line + 0.5 * width) / long
+    left = start[0] + far * (x - start[0]) - 0.5 * width
+    top = start[1] + far * (y - start[1]) - 0.6 * line
+    return {"ρ": (left, top, plate((left, top), "ρ", lit, text), 1.2 * line)}
+
+
+def openness(start: Point, rim: list[Point]) -> float:
+    """How far, in pixels, the rim of a sector lies from the line through its middle."""
+    x, y = rim[len(rim) // 2]
+    dx, dy = x - start[0], y - start[1]
+    long = max(hypot(dx, dy), 1e-9)
+    return max(abs((px - start[0]) * dy - (py - start[1]) * dx) / long for px, py in rim)
+
+
 def _towards_us(at: Point, symbol: str, alpha: float, thick: float) -> None:
     """An arrow seen from its tip: a ring with a dot, as physics writes it."""
     paint, centre = imgui.get_window_draw_list(), imgui.ImVec2(*at)
@@ -98,6 +135,13 @@ def plate(at: Point, symbol: str, lit: str, text: str = "") -> float:
     black = imgui.IM_COL32(0, 0, 0, 255)
     paint.add_text(imgui.ImVec2(at[0] + 0.25 * size, at[1] + 0.08 * size), black, text)
     return width
+
+
+def around(places: list[Point], margin: float) -> Rect:
+    """The rectangle that holds the places and a margin."""
+    across, down = zip(*places, strict=True)
+    left, top = min(across) - margin, min(down) - margin
+    return left, top, max(across) + margin - left, max(down) + margin - top
 
 
 def apart(rect: Rect, taken: list[Rect]) -> Rect:

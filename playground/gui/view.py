@@ -7,23 +7,14 @@ from dataclasses import replace
 from imgui_bundle import imgui
 
 from playground.errors import PlaygroundError
-from playground.gui import arrows, difference_view, layers, pixel_pick
+from playground.gui import arrows, difference_view, formulas, layers, pixel_pick, ray_pen
 from playground.gui.comparison import Picture, formula_box, pictures
 from playground.gui.guess import masked
 from playground.gui.navigation import navigated
 from playground.gui.scene_view import Slots
 from playground.gui.shader_edit import overrides
 from playground.gui.state import State
-from playground.gui.typeset import typeset
 
-FORMULA = (
-    ("", "max(n·l, 0) s_d ⊗ m_d", "diffuse"),
-    ("+", "max(r·v, 0)^sh s_s ⊗ m_s", "specular"),
-    ("+", "s_a ⊗ m_a", "ambient"),
-    ("+", "m_e", "emissive"),
-    ("=", "the colour of the point", ""),
-)
-LARGEST = 1.5  # times the usual size: the formula where there is room for it
 GRIP = 9  # pixels to either side of the divider that catch the mouse, at text size 1
 
 
@@ -37,7 +28,7 @@ def draw(state: State, slots: Slots, scale: float) -> tuple[State, bool]:
     state = _divider(state, origin, space, scale) if state.layout == "wipe" else state
     state = layers.held(state, pictures(state, width, height), origin, dense, scale)
     shown = pictures(state, width, height)
-    slots.use(len(shown))
+    slots.use(*layers.numbers(shown))
     slots.override(overrides(state))
     textures = layers.textures(state, shown, slots)
     if state.layout == "difference":
@@ -48,10 +39,14 @@ def draw(state: State, slots: Slots, scale: float) -> tuple[State, bool]:
     if state.layout == "difference":
         state = difference_view.legend(state, slots, origin, space, scale)
     if state.layout == "terms":
-        _formula(formula_box(width, height), origin, dense, scale)
+        highlight = state.setup.settings.highlight
+        formulas.write_sum(highlight, formula_box(width, height), origin, dense, scale)
     if state.layout == "wipe":
         _line(state, origin, space, scale)
-    state = arrows.draw(state, shown, origin, scale)
+    if ray_pen.wanted(state, shown):
+        state = ray_pen.draw(state, shown, origin, dense, scale)
+    else:
+        state = arrows.draw(state, shown, origin, scale)
     error = masked(state, slots.shader_error)
     if error != state.shader_error:
         state = replace(state, shader_error=error)
@@ -64,6 +59,7 @@ def draw_safely(state: State, good: State, slots: Slots, scale: float) -> tuple[
         return draw(state, slots, scale)
     except PlaygroundError as error:
         failed = state.with_setup(good.setup).fail(error)
+        failed = replace(failed, method=good.method, other=good.other)
         return replace(failed, loaded=good.loaded, file=good.file), False
 
 
@@ -122,26 +118,3 @@ def _line(state: State, origin: imgui.ImVec2, space: imgui.ImVec2, scale: float)
     middle = imgui.ImVec2(x, origin.y + space.y / 2)
     paint.add_circle_filled(middle, 7 * scale, white)
     paint.add_circle(middle, 7 * scale, imgui.IM_COL32(0, 0, 0, 160))
-
-
-def _formula(
-    box: tuple[int, int, int, int], origin: imgui.ImVec2, dense: imgui.ImVec2, scale: float
-) -> None:
-    """The sum in symbols, in the box that the five pictures leave free."""
-    x, y, w, _ = box
-    size, nothing = imgui.get_font_size(), imgui.ImVec2(0.0, 0.0)
-    sums = [typeset(formula, nothing, size, 0, paint=False) for _, formula, _ in FORMULA]
-    names = [imgui.calc_text_size(name).x for _, _, name in FORMULA]
-    room = w / dense.x - 20 * scale
-    size *= min(LARGEST, room / (max(sums) + max(names) + 3.0 * size))
-    size = float(int(size))
-    shrink = size / imgui.get_font_size()
-    left, top = origin.x + x / dense.x + 10 * scale, origin.y + y / dense.y + size
-    strong = imgui.get_color_u32(imgui.Col_.text)
-    faint = imgui.get_color_u32(imgui.Col_.text_disabled)
-    for i, (sign, formula, name) in enumerate(FORMULA):
-        down = top + 1.8 * i * size
-        typeset(sign, imgui.ImVec2(left, down), size, strong)
-        typeset(formula, imgui.ImVec2(left + 1.2 * size, down), size, strong)
-        at = imgui.ImVec2(left + max(sums) * shrink + 2.6 * size, down)
-        typeset(name, at, size, faint)

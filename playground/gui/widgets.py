@@ -14,9 +14,15 @@ from imgui_bundle import imgui
 
 from playground.errors import PlaygroundError
 from playground.gui import spans
+from playground.gui.tracing_told import TracingTold
 from playground.gui.typeset import typeset
 from playground.scene.knob import Knob, knobs
 
+COLOUR_FLAGS = (
+    imgui.ColorEditFlags_.float.value
+    | imgui.ColorEditFlags_.hdr.value
+    | imgui.ColorEditFlags_.no_options.value
+)
 LABELS = 7.3  # width of the column of labels, in heights of the text
 Item = TypeVar("Item")
 
@@ -28,6 +34,7 @@ class Ui:
     scale: float = 1.0
     refused: list[str] = field(default_factory=list)
     view: tuple[int, int] = (1, 1)  # size of the view, in pixels of the framebuffer
+    tracing: TracingTold = TracingTold()
 
 
 def edit(ui: Ui, item: Item, only: Iterable[str] = (), skip: Iterable[str] = ()) -> Item:
@@ -61,7 +68,7 @@ def row(knob: Knob, name: str, value: Any) -> Any:
 def bare(knob: Knob, name: str, value: Any) -> Any:
     """The widget of one knob without its label; right-click sets the declared default."""
     value = _WIDGETS[knob.kind](knob, f"##{name}", value)
-    if knob.kind not in ("choice", "names", "text"):
+    if knob.kind in spans.RIGHT_CLICK:
         tooltip(knob)
         if imgui.is_item_hovered() and imgui.is_mouse_clicked(1):
             return knob.default
@@ -147,17 +154,39 @@ def _names(knob: Knob, name: str, value: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def _colour(knob: Knob, name: str, value: tuple[float, ...]) -> tuple[float, ...]:
-    flags = imgui.ColorEditFlags_
-    options = flags.float.value | flags.hdr.value | flags.no_options.value
-    changed, new = imgui.color_edit3(name, list(value), options)
+    changed, new = imgui.color_edit3(name, list(value), COLOUR_FLAGS)
     return tuple(max(0.0, spans.tidy(v)) for v in new) if changed else value
 
 
 def _vector(knob: Knob, name: str, value: tuple[float, ...]) -> tuple[float, ...]:
     speed = 0.5 if knob.unit == "degrees" else spans.drag_speed(value)
-    pattern = spans.number_format(replace(knob, unit=""))
-    changed, new = imgui.drag_float3(name, list(value), speed, 0.0, 0.0, pattern)
+    changed, new = imgui.drag_float3(name, list(value), speed, 0.0, 0.0, "%.3g")
     return tuple(spans.tidy(v) for v in new) if changed else value
+
+
+def _vertices(knob: Knob, name: str, value: tuple[tuple[float, ...], ...]) -> Any:
+    """One row of three numbers per corner; a corner more or less by the buttons below."""
+    points, left = list(value), imgui.get_cursor_pos_x()
+    for i, point in enumerate(value):
+        if i:
+            imgui.set_cursor_pos_x(left)
+            imgui.set_next_item_width(-1)
+        points[i] = _vector(knob, f"{name}{i}", point)
+        tooltip(knob)
+    fewest, most = knob.count
+    imgui.set_cursor_pos_x(left)
+    if len(points) < most:
+        if imgui.small_button(f"+ corner{name}"):
+            last, first = points[-1], points[0]
+            points.append(tuple((a + b) / 2.0 for a, b in zip(last, first, strict=True)))
+        imgui.set_item_tooltip("one more, between the last and the first")
+    if len(points) > fewest:
+        if len(points) < most:
+            imgui.same_line()
+        if imgui.small_button(f"- corner{name}"):
+            points.pop()
+        imgui.set_item_tooltip("without the last")
+    return tuple(points)
 
 
 def _text(knob: Knob, name: str, value: str) -> str:
@@ -176,5 +205,6 @@ _WIDGETS: dict[str, Callable[[Knob, str, Any], Any]] = {
     "names": _names,
     "colour": _colour,
     "vector": _vector,
+    "vertices": _vertices,
     "text": _text,
 }

@@ -27,7 +27,7 @@ void sort_children(inout float entry_a, inout float entry_b, inout uint a, inout
 
 // The walk of both functions below; it stops at the first hit of all if any_hit. A ray that misses
 // the box of the whole tree does not set out. Loops of their own lead down to a leaf and through it:
-// llvmpipe jumps over a loop that no pixel of a group needs, and walks both sides of an if.
+// llvmpipe walks both sides of an if; a loop that no pixel of a group needs ends after one round.
 void bvh_walk(usampler2D nodes, sampler2D corners, uint root, vec3 low, vec3 cell, vec3 origin,
               vec3 direction, bool any_hit, inout float limit, out int slot, out vec3 weights) {
     slot = -1;

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from playground import locate
+from playground.gui.state import start
 from playground.scene.library import library, load
 from playground.scene.light import PointLight, SpotLight
 from playground.scene.material import Material
@@ -241,3 +242,12 @@ def test_no_key_means_two_things(window):
         for chord in action.chords:
             other = seen.setdefault(chord, action)
             assert other is action or action.keys == "Esc", (action.name, other.name)
+
+
+def test_another_setup_is_never_compared_with_itself():
+    for name, shading in (("teapot", "per-fragment"), ("popping", "per-vertex")):
+        setup = load(name)
+        assert setup.settings.shading == shading
+        state = replace(start(setup.with_(shading="flat")), other=shading).opened(setup)
+        assert state.other not in (shading, "flat")
+        assert replace(state, other="flat").opened(setup).other == "flat"

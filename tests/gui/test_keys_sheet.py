@@ -83,7 +83,7 @@ def test_every_action_is_a_line_of_the_sheet(hands, monkeypatch):
 
 
 @pytest.mark.gl
-@pytest.mark.parametrize("text_size", [1.0, 1.25])  # the second as in a window of 1024 × 576
+@pytest.mark.parametrize("text_size", [1.0, 1.25, 1.28])  # at last as in a window 1000 wide
 def test_the_sheet_is_seen_whole(hands, text_size):
     hands.window.state = replace(hands.state, text_size=text_size)
     hands.key("slash", "shift")

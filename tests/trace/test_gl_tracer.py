@@ -93,6 +93,12 @@ def test_every_knob_of_the_room(gl, change):
     assert_one_picture(traced(setup), reference(setup), 96, 10)
 
 
+def test_a_stretched_mesh_has_the_normals_of_the_rasteriser(gl):
+    setup = pg.load("stretched").with_(surfaces="triangles")
+    assert any(s.surface.stretched and s.kind == "mesh" for s in prepare(setup, SIZE).solids)
+    assert_one_picture(traced(setup), reference(setup), 4, 0)
+
+
 def solids(**glass):
     """A stretched ball, a cylinder, a disc, a turned square and a box, in this material."""
     material = Material(diffuse=(0.2, 0.3, 0.4), **glass)

@@ -13,10 +13,13 @@ from playground.gui.panels import (
     explain,
     lights,
     material,
+    needs,
     popping,
     scene,
+    snell,
     speed,
     terms,
+    tracing,
     view,
 )
 from playground.gui.state import State
@@ -27,13 +30,16 @@ Panel = Callable[[State, Ui], State]
 PANELS: dict[str, Panel] = {
     "Explain": explain.draw,
     "View": view.draw,
+    "Ray tracing": tracing.draw,
     "Terms": terms.draw,
     "Material": material.draw,
     "Lights": lights.draw,
     "Scene": scene.draw,
     "Display": display.draw,
+    "Snell bench": snell.draw,
     "Bug zoo": bug_zoo.draw,
     "Popping scope": popping.draw,
     "Speed and error": speed.draw,
+    "What the scene needs": needs.draw,
 }
 OPEN_AT_FIRST = ("View", "Terms", "Material")

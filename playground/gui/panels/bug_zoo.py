@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from difflib import ndiff
+from functools import lru_cache
 
 from imgui_bundle import imgui
 
@@ -152,8 +153,13 @@ def _edits(edits: tuple[Edit, ...], colours: str) -> None:
         if not i or edits[i - 1].file != edit.file:
             imgui.text_disabled(f"shaders/{edit.file}")
         theme.push_code_font()
-        for line in ndiff(edit.find.splitlines(), edit.replace.splitlines()):
-            if line[0] in "+-":
-                text = f"{line[0]} {' '.join(line[2:].split())}"
-                wrapped(text, (GONE if line[0] == "-" else NEW)[colours])
+        for line in changed_lines(edit):
+            wrapped(line, (GONE if line[0] == "-" else NEW)[colours])
         imgui.pop_font()
+
+
+@lru_cache(maxsize=64)
+def changed_lines(edit: Edit) -> tuple[str, ...]:
+    """The lines that go, with a minus before them, and those that come, with a plus."""
+    lines = ndiff(edit.find.splitlines(), edit.replace.splitlines())
+    return tuple(f"{line[0]} {' '.join(line[2:].split())}" for line in lines if line[0] in "+-")

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from imgui_bundle import imgui
 
+from playground.gui.gizmos import tint
 from playground.gui.light_change import added, converted, exchanged, removed
 from playground.gui.state import State
 from playground.gui.widgets import Ui, edit, row
@@ -13,6 +14,8 @@ from playground.scene.knob import Knob, knobs
 from playground.scene.light import LIGHTS, Light
 
 TYPE = Knob("choice", "directional", choices=tuple(LIGHTS), help="where the light comes from")
+PLAIN = imgui.ColorEditFlags_.no_tooltip.value | imgui.ColorEditFlags_.no_drag_drop.value
+OVERLAP = imgui.TreeNodeFlags_.allow_overlap.value | imgui.TreeNodeFlags_.framed.value
 FADING = ("constant", "linear", "quadratic")
 
 
@@ -32,13 +35,10 @@ def draw(state: State, ui: Ui) -> State:
 
 def _light(state: State, i: int, light: Light, ui: Ui) -> tuple[State, bool]:
     """One light: a line with its colour, solo and remove, and its knobs when unfolded."""
-    flags = imgui.ColorEditFlags_
-    plain = flags.no_tooltip.value | flags.no_drag_drop.value
-    red, green, blue = (min(c, 1.0) for c in light.diffuse)
-    imgui.color_button("##swatch", (red, green, blue, 1.0), plain)
+    imgui.color_button("##swatch", (*tint(light), 1.0), PLAIN)
+    imgui.set_item_tooltip("the hue of its light; how bright it is, s_d says")
     imgui.same_line()
-    overlap = imgui.TreeNodeFlags_.allow_overlap.value | imgui.TreeNodeFlags_.framed.value
-    unfolded = imgui.tree_node_ex(f"{i}  {light.kind}###light", overlap)
+    unfolded = imgui.tree_node_ex(f"{i}  {light.kind}###light", OVERLAP)
     wide = imgui.calc_text_size("solo").x + imgui.calc_text_size("×").x
     padding = imgui.get_style().frame_padding.x
     end = imgui.get_window_width() - imgui.get_style().window_padding.x

@@ -6,13 +6,14 @@ from dataclasses import replace
 
 from imgui_bundle import imgui
 
-from playground.gui.presets import PRESETS, preset, preset_of
 from playground.gui.state import State
 from playground.gui.widgets import LABELS, Ui, attempt, edit, label
 from playground.scene.material import Material
+from playground.scene.presets import PRESETS, look, preset, preset_of
 from playground.scene.scene import Object
 
 COLOURS = ("diffuse", "specular", "ambient", "emissive")
+TRACED = ("reflectance", "transmittance", "index", "absorption", "priority")
 SHININESS = (5, 10, 20, 80)  # the four pictures of the lecture
 
 
@@ -30,6 +31,10 @@ def draw(state: State, ui: Ui) -> State:
     material = edit(ui, material, only=("texture",))
     if material.texture:
         material = edit(ui, material, only=("texture_encoding",))
+    imgui.separator_text("mirror and glass, by ray tracing")
+    material = edit(ui, material, only=TRACED)
+    if material is item.material:
+        return state
     return with_object(state, replace(item, material=material), item)
 
 
@@ -64,14 +69,14 @@ def _preset(material: Material) -> Material:
     now = preset_of(material)
     if imgui.begin_combo("##preset", now or "choose..."):
         for name in PRESETS:
-            red, green, blue = preset(name).diffuse
+            red, green, blue = look(preset(name))
             size = imgui.get_font_size()
             imgui.color_button(f"##{name}", (red, green, blue, 1.0), 0, imgui.ImVec2(size, size))
             imgui.same_line()
             if imgui.selectable(name, name == now)[0]:
                 material = preset(name, material)
         imgui.end_combo()
-    imgui.set_item_tooltip("colours and shininess from the 24 teapots of the OpenGL guide (1994)")
+    imgui.set_item_tooltip("the teapots of the OpenGL guide (1994), and materials for ray tracing")
     return material
 
 

@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 from imgui_bundle import imgui, implot
 
-from playground.gui import plots, scope_path
+from playground.gui import plots, progress_bar, scope_path
+from playground.gui.same_object import kept_for_same
 from playground.gui.scope_path import DRAWN, EXACT, Scope
 from playground.gui.state import State
 from playground.gui.theme import PALETTES
@@ -17,6 +18,8 @@ from playground.measure.popping import Brightness, Step, largest_jump
 
 ORDER = (*EXACT, *DRAWN)  # the reference lies below the others
 TICKS = (0, 90, 180, 270, 360)  # degrees
+Steps = tuple[Step, ...]
+Curve = tuple[np.ndarray, np.ndarray]  # angles and values, as the plot takes them
 GUIDE = 7  # number of the line that shows the angle, for ImPlot
 HEIGHT = 6.2  # of a plot, in heights of the text
 CURVES: tuple[tuple[str, Callable[[Brightness], float]], ...] = (
@@ -63,12 +66,8 @@ def _measuring(state: State) -> State:
     """Measure, or how far it has come and the way to stop it."""
     scope = state.scope
     if scope.running:
-        if imgui.button("Cancel###measure"):
-            state = scope_path.cancelled(state)
-        imgui.same_line()
-        left = f", {scope.left:.0f} s left" if scope.left else ""
-        imgui.progress_bar(scope.share, imgui.ImVec2(-1, 0), f"{scope.share:.0%}{left}")
-        return state
+        cancelled = progress_bar.draw(scope.progress, "measure")
+        return scope_path.cancelled(state) if cancelled else state
     if imgui.button("Measure again###measure"):
         state = scope_path.measured(state)
     imgui.set_item_tooltip("along the path that starts where the camera is now")
@@ -87,8 +86,7 @@ def _plot(state: State, name: str, value: Callable[[Brightness], float], height:
     implot.setup_axes("", "", axis.lock.value, axis.lock.value)
     implot.setup_axis_limits(implot.ImAxis_.x1, 0.0, 360.0, implot.Cond_.always)
     implot.setup_axis_ticks(implot.ImAxis_.x1, list(map(float, TICKS)), [f"{t}°" for t in TICKS])
-    curves = {mode: curve(_steps(state.scope, mode), mode, value) for mode in ORDER}
-    top = max(max(values, default=0.0) for _, values in curves.values()) or 1.0
+    curves, top = curves_of(state.scope.drawn, state.scope.exact, value)
     implot.setup_axis_limits(implot.ImAxis_.y1, 0.0, 1.1 * top, implot.Cond_.always)
     implot.setup_axis_format(implot.ImAxis_.y1, "%.2f")
     for mode, (angles, values) in curves.items():
@@ -103,16 +101,19 @@ def _plot(state: State, name: str, value: Callable[[Brightness], float], height:
     return state
 
 
-def curve(
-    steps: tuple[Step, ...], mode: str, value: Callable[[Brightness], float]
-) -> tuple[np.ndarray, np.ndarray]:
+@kept_for_same(2 * len(CURVES))
+def curves_of(
+    drawn: Steps, exact: Steps, value: Callable[[Brightness], float]
+) -> tuple[dict[str, Curve], float]:
+    """The curve of each mode, and the largest value of all (1 where there is none)."""
+    curves = {mode: curve(exact if mode in EXACT else drawn, mode, value) for mode in ORDER}
+    return curves, max(float(values.max(initial=0.0)) for _, values in curves.values()) or 1.0
+
+
+def curve(steps: Steps, mode: str, value: Callable[[Brightness], float]) -> Curve:
     """Angles and values of one mode, as the plot takes them."""
     angles = np.array([step.angle for step in steps], dtype=np.float64)
     return angles, np.array([value(step.modes[mode]) for step in steps], dtype=np.float64)
-
-
-def _steps(scope: Scope, mode: str) -> tuple[Step, ...]:
-    return scope.exact if mode in EXACT else scope.drawn
 
 
 def _jumps(scope: Scope) -> None:
@@ -123,10 +124,15 @@ def _jumps(scope: Scope) -> None:
     for title in ("largest jump", "brightest", "mean"):
         imgui.table_setup_column(title)
     imgui.table_headers_row()
-    for mode in (*DRAWN, *EXACT):
-        jump = largest_jump(_steps(scope, mode), mode)
+    for mode, jump in _largest_jumps(scope.drawn, scope.exact).items():
         imgui.table_next_row()
         for text in (mode, f"{jump.peak:.4f}", f"{jump.mean:.5f}"):
             imgui.table_next_column()
             imgui.text(text)
     imgui.end_table()
+
+
+@kept_for_same(2)
+def _largest_jumps(drawn: Steps, exact: Steps) -> dict[str, Brightness]:
+    named = dict.fromkeys(DRAWN, drawn) | dict.fromkeys(EXACT, exact)
+    return {mode: largest_jump(steps, mode) for mode, steps in named.items()}

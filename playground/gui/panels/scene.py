@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 
 from imgui_bundle import imgui
 
 from playground.gui.panels.material import pick_object, with_object
 from playground.gui.state import State
 from playground.gui.widgets import LABELS, Ui, attempt, edit, row
-from playground.scene.knob import knobs
+from playground.scene.knob import Knob, knobs
 from playground.scene.scene import Object
 from playground.scene.shapes import SHAPES
 
@@ -58,14 +59,19 @@ def _mesh(item: Object, ui: Ui) -> Object:
 
 def _tessellation(item: Object) -> int:
     """The knob of the shape: its range is narrower than the declared one, 0 is its default."""
-    shape = SHAPES[item.mesh]
-    knob = replace(
+    shape, knob = SHAPES[item.mesh], _tessellation_knob(item.mesh)
+    now = item.tessellation or shape.default_tessellation
+    wanted = int(min(max(row(knob, "tessellation", now), shape.min), shape.max))
+    return item.tessellation if wanted == now else wanted
+
+
+@lru_cache(maxsize=len(SHAPES))
+def _tessellation_knob(mesh: str) -> Knob:
+    shape = SHAPES[mesh]
+    return replace(
         knobs(Object)["tessellation"],
         low=shape.min,
         high=shape.max,
         default=shape.default_tessellation,
         help=shape.help,
     )
-    now = item.tessellation or shape.default_tessellation
-    wanted = int(min(max(row(knob, "tessellation", now), shape.min), shape.max))
-    return item.tessellation if wanted == now else wanted

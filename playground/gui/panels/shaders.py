@@ -177,7 +177,7 @@ def _text_and_twin(state: State, file: str) -> State:
     else:
         imgui.text_disabled(shown_name(path))
         box = code_box("twin", shown_name(path)).read_only()
-        box.draw("##twin", twin_text(path), (), state.theme, imgui.ImVec2(0, 0))
+        box.draw("##twin code", twin_text(path), (), state.theme, imgui.ImVec2(0, 0))
     imgui.end_group()
     return state
 

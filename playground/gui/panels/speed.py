@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from imgui_bundle import imgui, implot
 
-from playground.gui import log_axis, plots, speed_log
+from playground.gui import log_axis, plots, progress_bar, speed_log
 from playground.gui.speed_log import Dot
 from playground.gui.state import State
 from playground.gui.theme import PALETTES
@@ -27,13 +27,13 @@ def draw(state: State, ui: Ui) -> State:
     state = _measuring(state, ui)
     if state.speed.error:
         plots.wrapped(state.speed.error, PALETTES[state.theme].alarm)
-    now = [dot for dot in state.speed.dots if dot.key == speed_log.key_of(state.setup)]
-    _numbers(now[0] if now else None)
+    now = speed_log.present(state)
+    _numbers(now)
     dots = state.speed.dots
     if dots:
         plots.legend(state.theme, [mode for mode in Shading if any(d.mode == mode for d in dots)])
         imgui.text_disabled("a dot for each mode and tessellation tried")
-        _plot(state, dots, now)
+        _plot(state, dots, [now] if now else [])
         state = _table(state)
     return state
 
@@ -43,13 +43,10 @@ def _measuring(state: State, ui: Ui) -> State:
     settled = not imgui.is_any_item_active() and not state.playing
     log = attempt(ui, state.speed, "automatic", _automatic(state.speed.automatic))
     state = replace(state, speed=log) if log is not state.speed else state
-    imgui.same_line()
     if log.of is not None:
-        if imgui.button("Cancel###measure"):
-            state = speed_log.cancelled(state)
-        imgui.same_line()
-        imgui.text_disabled("measuring ...")
-        return state
+        cancelled = progress_bar.draw(log.progress, "measure")
+        return speed_log.cancelled(state) if cancelled else state
+    imgui.same_line()
     wanted = imgui.button("Measure now###measure")
     if wanted or (log.automatic and settled and speed_log.untried(state)):
         state = speed_log.asked(state)

@@ -6,17 +6,11 @@ from dataclasses import replace
 
 from imgui_bundle import imgui
 
+from playground.gui.formulas import formula
 from playground.gui.state import State
 from playground.gui.widgets import LABELS, Ui, attempt, bare, edit, tooltip
 from playground.scene.knob import knobs
 from playground.scene.settings import TERMS, Settings
-
-FORMULAS = {
-    "diffuse": "max(n·l, 0) s_d ⊗ m_d",
-    "specular": "max(r·v, 0)^sh s_s ⊗ m_s",
-    "ambient": "s_a ⊗ m_a",
-    "emissive": "m_e",
-}
 
 
 def draw(state: State, ui: Ui) -> State:
@@ -33,7 +27,7 @@ def draw(state: State, ui: Ui) -> State:
 def _term(settings: Settings, term: str, ui: Ui) -> Settings:
     on = term in settings.terms
     _, now = imgui.checkbox(term, on)
-    imgui.set_item_tooltip(f"{FORMULAS[term]}\non or off: {term[0].upper()}")
+    imgui.set_item_tooltip(f"{formula(term, settings.highlight)}\non or off: {term[0].upper()}")
     if now != on:
         chosen = {*settings.terms, term} if now else {*settings.terms} - {term}
         settings = attempt(ui, settings, "terms", tuple(t for t in TERMS if t in chosen))

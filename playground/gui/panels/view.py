@@ -9,19 +9,32 @@ from imgui_bundle import imgui
 
 from playground.gui.actions import frame_objects, kept_apart, play, reset
 from playground.gui.panels.overlays import overlay_switches
-from playground.gui.state import State
+from playground.gui.shortcuts import keys_of
+from playground.gui.state import RASTER, TRACED, State
 from playground.gui.widgets import Ui, attempt, bare, edit
 from playground.scene.knob import knobs
+from playground.scene.scene import Scene
+from playground.scene.settings import Shading
 
 Item = TypeVar("Item")
+TRACING = "Ray tracing, or back"
+SHADING_KEYS = "\n".join(f"{mode}: {keys_of(mode)}" for mode in Shading)
 
 
 def draw(state: State, ui: Ui) -> State:
     """Shading mode, layout of the pictures, camera."""
     before = state
+    state = _row(state, "method", ui)
+    _keys(f"ray tracing, or back: {keys_of(TRACING)}")
+    imgui.begin_group()
     settings = _row(state.setup.settings, "shading", ui)
-    if settings is not state.setup.settings:
+    imgui.end_group()
+    _keys(SHADING_KEYS)
+    if settings is not state.setup.settings:  # who chooses a shading wants to see it
+        state = replace(state, method=RASTER)
         state = state.with_setup(replace(state.setup, settings=settings))
+    if state.method == RASTER and state.other != TRACED and _hidden(state.setup.scene):
+        imgui.text_wrapped(f"Mirrors and glass show by ray tracing ({keys_of(TRACING)}).")
     state = _row(state, "layout", ui)
     if state.layout in ("side by side", "wipe", "difference"):
         state = edit(ui, state, only=("other",))
@@ -38,6 +51,19 @@ def draw(state: State, ui: Ui) -> State:
         state = reset(state)
     imgui.set_item_tooltip("back to the setup as it was loaded (R)")
     return overlay_switches(state)
+
+
+def _hidden(scene: Scene) -> bool:
+    """Whether something is a mirror or glass."""
+    materials = (item.material for item in scene.objects)
+    return any(any((*m.reflectance, *m.transmittance)) for m in materials)
+
+
+def _keys(words: str) -> None:
+    """The keys of the last item, below what its tooltip says."""
+    if imgui.is_item_hovered(imgui.HoveredFlags_.for_tooltip) and imgui.begin_tooltip():
+        imgui.text_disabled(words)
+        imgui.end_tooltip()
 
 
 def _row(item: Item, name: str, ui: Ui) -> Item:

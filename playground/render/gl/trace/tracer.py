@@ -46,6 +46,7 @@ class GLTracer:
     def __init__(self, size: tuple[int, int], context: moderngl.Context | None = None) -> None:
         self.size = size
         self._context = context or gl_context.headless()
+        self.bakes = True  # whether a scene that stays gets a program of its own
         self._standing = Standing()
         self._programs: dict[Key, TraceProgram] = {}
         self._baked: tuple[Placed | None, Key, TraceProgram | None] = (None, (), None)
@@ -190,8 +191,9 @@ class GLTracer:
         """The program for a scene, its numbers uploaded or, once they stay, built in."""
         symbols = symbols_of(placed.scene, placed.layout, placed.trees, display, accumulate)
         key = tuple(symbols.items())
-        if self._standing.steady and unrolled(placed.layout):
-            if self._baked[0] is not placed or self._baked[1] != key:
+        known = self._baked[0] is placed and self._baked[1] == key
+        if self._standing.steady and unrolled(placed.layout) and (self.bakes or known):
+            if not known:
                 self._drop_baked()
                 program = TraceProgram(self._context, symbols, placed.values)
                 program.write(placed.values)  # those that cannot be constants
