@@ -211,7 +211,18 @@ class TestInTheWindow:
         patiently(lambda: hands.state.reading is None, lambda: hands.frames(1))
         hands.frames(2)
 
-    def test_a_large_file_that_is_dropped_opens_as_one_step(self, hands, window, square):
+    def test_a_large_file_that_is_dropped_opens_as_one_step(
+        self, hands, window, square, monkeypatch
+    ):
+        real, dragged = reading.pieces, []
+
+        def held(meshes):
+            while not dragged:
+                sleep(0.001)
+                yield Piece()
+            yield from real(meshes)
+
+        monkeypatch.setattr(reading, "pieces", held)
         before = hands.state.setup
         window.on_files_dropped_event(0, 0, [str(square)])
         hands.frames(1)
@@ -220,6 +231,7 @@ class TestInTheWindow:
         hands.drag((250, 300), (300, 330))  # the window goes on
         moved = hands.state.setup
         assert moved.camera != before.camera
+        dragged.append(True)
         self.finish(hands)
         assert hands.state.setup.name == "square" and not hands.state.failed
         hands.key("z", "ctrl")
