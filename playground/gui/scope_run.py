@@ -12,6 +12,7 @@ from typing import Any
 
 from playground.gui.long_work import LongWork, counted, together
 from playground.gui.scope_path import ANGLES, DRAWN, EXACT, Scope
+from playground.gui.two_works import TwoWorks
 from playground.measure.popping import Step, along, scope
 from playground.render.gl.program import ShaderError
 from playground.render.gl.renderer import GLRenderer
@@ -20,14 +21,8 @@ from playground.scene.setup import Setup
 SIZE = (160, 120)
 
 
-class ScopeRun:
+class ScopeRun(TwoWorks[Step, Step]):
     """Measures what a `Scope` asks for; `advance` is called once a frame."""
-
-    def __init__(self, context: Any) -> None:
-        self._context = context
-        self._of: Setup | None = None
-        self._drawn: LongWork[Step] | None = None
-        self._exact: LongWork[Step] | None = None
 
     def advance(self, asked: Scope) -> Scope:
         """The scope with what this frame has added."""
@@ -57,20 +52,6 @@ class ScopeRun:
         exact = scope(setup.with_(bugs=()), ANGLES, EXACT, SIZE, "numpy")
         self._drawn = LongWork(counted(drawn(setup, shaders, self._context), count))
         self._exact = LongWork(counted(exact, count), aside=True)
-
-    def stop(self) -> None:
-        """Let go of what was being measured."""
-        for work in (self._drawn, self._exact):
-            if work is not None:
-                work.stop()
-        self._of = self._drawn = self._exact = None
-
-    def close(self) -> None:
-        """Stop and free the GPU memory, while the context is still there."""
-        exact = self._exact
-        self.stop()
-        if exact is not None:
-            exact.close()
 
 
 def drawn(setup: Setup, shaders: Mapping[str, str], context: Any) -> Generator[Step]:

@@ -16,6 +16,7 @@ from playground.gui.long_work import LongWork, Piece, Pieces, Progress, part
 from playground.gui.scope_path import Texts
 from playground.gui.speed_log import Dot, SpeedLog, key_of
 from playground.gui.texture_target import TextureTarget
+from playground.gui.two_works import TwoWorks
 from playground.measure.metrics import largest, rmse
 from playground.render.gl.program import ShaderError
 from playground.render.gl.renderer import STEADY, GLRenderer
@@ -30,14 +31,11 @@ COMPARED_SIZE = (320, 240)  # of the pictures whose error is taken
 WARM, TIMED = STEADY + 4, 21  # draws before, and draws that count
 
 
-class SpeedRun:
+class SpeedRun(TwoWorks[Times | Image, Pixels]):
     """Measures what a `SpeedLog` asks for; `advance` is called once a frame."""
 
     def __init__(self, context: Any) -> None:
-        self._context = context
-        self._of: Setup | None = None
-        self._drawn: LongWork[Times | Image] | None = None
-        self._exact: LongWork[Pixels] | None = None
+        super().__init__(context)
         self._found: list[Times | Image] = []
 
     def advance(self, log: SpeedLog) -> SpeedLog:
@@ -82,20 +80,6 @@ class SpeedRun:
         error = rmse(image.pixels, exact), largest(image.pixels, exact)
         clock = None if software(self._context) else gpu
         return Dot(*key_of(log.of, log.shaders), clock, wall, *error)
-
-    def stop(self) -> None:
-        """Let go of what was being measured."""
-        for work in (self._drawn, self._exact):
-            if work is not None:
-                work.stop()
-        self._of = self._drawn = self._exact = None
-
-    def close(self) -> None:
-        """Stop and free the GPU memory, while the context is still there."""
-        exact = self._exact
-        self.stop()
-        if exact is not None:
-            exact.close()
 
 
 def drawn(setup: Setup, context: Any, shaders: Texts = ()) -> Pieces[Times | Image]:
