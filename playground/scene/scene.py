@@ -100,6 +100,7 @@ class Scene(Declared):
 
     title: str = text("", help="one line that says what is to be seen")
     background: tuple[float, float, float] = colour(0.1, 0.1, 0.12, help="where nothing is hit")
+    lightmap: str = text(help="file of baked light, for the method lightmap; empty for none")
     objects: tuple[Object, ...] = (Object(),)
     lights: tuple[Light, ...] = (DirectionalLight(),)
 

@@ -26,6 +26,16 @@ BUGS = (  # the names of shaders/bugs.toml; a test holds the two together
 )
 TERMS = ("diffuse", "specular", "ambient", "emissive")
 PRECISIONS = ("native", "float16", "float32", "float64")
+FORM_FACTORS = ("hemicube", "closed-form", "hemisphere", "point-to-polygon", "point-to-point")
+SOLVERS = (
+    "jacobi",
+    "gauss-seidel",
+    "progressive",
+    "southwell",
+    "overshooting",
+    "conjugate-gradients",
+    "direct",
+)
 MARKS = ("nan", "infinite", "negative", "denormal", "clamped")  # KINDS of shading/marks.py
 
 
@@ -82,6 +92,24 @@ class Settings(Declared):
     )
     clear_shadows: bool = switch(
         True, help="ray tracing: glass lets light through to what lies behind, unbent"
+    )
+
+    patches: int = integer(600, 1, 100_000, help="radiosity: about how many patches")
+    refinement: int = integer(
+        0, 0, 6, help="radiosity: rounds in which patches are divided where the light changes"
+    )
+    form_factors: str = choice("hemicube", FORM_FACTORS, help="radiosity: how F_ij is computed")
+    hemicube: int = integer(64, 8, 1024, help="radiosity: pixels along an edge of the hemicube")
+    occlusion: bool = switch(True, help="radiosity: patches hide one another")
+    normalise: bool = switch(
+        True, help="radiosity: the form factors of a patch in a closed scene are made to sum to 1"
+    )
+    solver: str = choice("progressive", SOLVERS, help="radiosity: how the system is solved")
+    convergence: float = number(
+        1e-4, 1e-12, 0.5, scale="log", help="radiosity: share of the light left when it stops"
+    )
+    light_shown: str = choice(
+        "all", ("all", "direct", "indirect"), help="radiosity, lightmap: straight from lamps or not"
     )
 
     bugs: tuple[str, ...] = names((), BUGS, help="classic mistakes to make, on the GPU only")

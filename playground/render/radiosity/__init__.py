@@ -1,0 +1,1 @@
+"""Radiosity: patches, form factors, solvers and what becomes of them in a picture."""

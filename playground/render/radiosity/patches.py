@@ -1,0 +1,94 @@
+"""The patches that radiosity trades light between: flat pieces, each of one colour.
+
+What they are, in flat arrays; `divide` makes them of a setup.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from playground.shading.floats import Array
+from playground.shading.vector import cross
+
+Ints = NDArray[np.int32]
+
+
+@dataclass(frozen=True, eq=False)
+class Parents:
+    """The M undivided triangles and convex quads that the patches were cut from.
+
+    A regular parent is cut evenly, so that its patches can be found from where a point lies
+    on it: a quad into ``grid`` = (m, n) pieces along its first edge and along its last, the
+    piece in column a and row b being patch ``first + a * n + b``; a triangle into m = n parts
+    of each edge, m² pieces.
+    """
+
+    corners: Array  # (M, 4, 3): counter-clockwise from the front; a triangle repeats its last
+    grid: Ints  # (M, 2)
+    first: Ints  # (M,): its first patch; its patches follow one another
+    regular: NDArray[np.bool_]  # (M,)
+
+    @property
+    def triangle(self) -> NDArray[np.bool_]:
+        """Which parents are triangles, (M,)."""
+        return np.asarray(np.all(self.corners[:, 2] == self.corners[:, 3], axis=-1))
+
+
+@dataclass(frozen=True, eq=False)
+class Patches:
+    """N flat patches. All lengths are in world units, all points relative to ``origin``."""
+
+    origin: Array  # (3,): in the world; keeps the digits of a scene far from its origin
+    points: Array  # (V, 3): corners; patches joined smoothly share them
+    normals: Array  # (V, 3): unit shading normals there
+    texcoords: Array | None  # (V, 2), None if no object has any
+    corners: Ints  # (N, 4): into `points`, from the front; a triangle repeats its last
+    owner: Ints  # (N,): which object of the scene; the area lights come after the objects
+    parent: Ints  # (N,): of which parent it is a piece
+    reflectance: Array  # (N, 3): w_d m_d, times the mean of the texture, in [0, 1)
+    emission: Array  # (N, 3): w_e m_e, or the s_d of an area light: as radiance, like all colours
+    parents: Parents
+
+    def __len__(self) -> int:
+        return len(self.corners)
+
+    @cached_property
+    def polygon(self) -> Array:
+        """The corners themselves, (N, 4, 3)."""
+        return np.asarray(self.points[self.corners])
+
+    @cached_property
+    def triangle(self) -> NDArray[np.bool_]:
+        """Which patches are triangles, (N,)."""
+        return np.asarray(self.corners[:, 2] == self.corners[:, 3])
+
+    @cached_property
+    def _area_vector(self) -> Array:
+        a, b, c, d = np.moveaxis(self.polygon, 1, 0)
+        return 0.5 * cross(c - a, d - b)  # of a flat quad; of a triangle too, where d is c
+
+    @cached_property
+    def area(self) -> Array:
+        """(N,), in world units squared."""
+        return np.asarray(np.linalg.norm(self._area_vector, axis=-1))
+
+    @cached_property
+    def normal(self) -> Array:
+        """Unit normals of the flat pieces themselves, to the front, (N, 3)."""
+        return np.asarray(self._area_vector / self.area[:, None])
+
+    @cached_property
+    def centre(self) -> Array:
+        """Centroids, (N, 3): the mean of both halves of a quad by their areas."""
+        a, b, c, d = np.moveaxis(self.polygon, 1, 0)
+        normal = self.normal
+        halves = (a + b + c) / 3.0, (a + c + d) / 3.0
+        areas = [
+            0.5 * np.einsum("ni,ni->n", cross(u - a, v - a), normal)[:, None]
+            for u, v in ((b, c), (c, d))
+        ]
+        return np.asarray((halves[0] * areas[0] + halves[1] * areas[1]) / (areas[0] + areas[1]))
