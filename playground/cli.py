@@ -200,7 +200,7 @@ def _add_doctor(subparsers: Subparsers) -> None:
 
 def _picture_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--size", type=_size, metavar="WxH", help="in pixels, 640x480 unless given")
-    parser.add_argument("--renderer", default="auto", help="auto, gl or numpy")
+    parser.add_argument("--renderer", default="auto", help="auto, gl, numpy; embree for rays")
     _setup_options(parser)
 
 

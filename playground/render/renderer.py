@@ -10,12 +10,12 @@ from typing import Any, Protocol
 
 from numpy.typing import NDArray
 
-from playground.errors import unknown_name
+from playground.errors import PlaygroundError, unknown_name
 from playground.render.checks import check_method, check_setup, check_size
 from playground.render.image import Image
 from playground.scene.setup import Setup
 
-RENDERERS = ("auto", "gl", "numpy")
+RENDERERS = ("auto", "gl", "numpy", "embree")
 
 
 class Renderer(Protocol):
@@ -59,7 +59,8 @@ def open_renderer(
     """A renderer for pictures of ``size`` (width, height) in pixels, to use in a ``with`` block.
 
     ``renderer`` is ``"gl"``, ``"numpy"``, or ``"auto"``: gl where a driver is found (its
-    ``.name`` says which it took). ``context`` is a window's moderngl context. ``method`` is
+    ``.name`` says which it took); for ray tracing also ``"embree"``, NumPy with meshes left to
+    the package embreex. ``context`` is a window's moderngl context. ``method`` is
     ``"raster"`` or ``"ray-tracing"``.
 
     Raises
@@ -71,6 +72,8 @@ def open_renderer(
     check_method(method)
     if renderer not in RENDERERS:
         raise unknown_name("renderer", renderer, RENDERERS)
+    if renderer == "embree":
+        return _open_embree(size, method)
     traced = method == "ray-tracing"
     if renderer != "numpy":
         from playground.render.gl.context import NoDriverError
@@ -87,6 +90,18 @@ def open_renderer(
     from playground.render.numpy_renderer import NumpyRenderer
 
     return NumpyRenderer(size)
+
+
+def _open_embree(size: tuple[int, int], method: str) -> Renderer:
+    if method != "ray-tracing":
+        raise PlaygroundError(
+            "the renderer embree only traces rays",
+            got=method,
+            fix="Add --method ray-tracing, or use --renderer numpy.",
+        )
+    from playground.render.trace.tracer import EmbreeTracer
+
+    return EmbreeTracer(size)
 
 
 def _open_gl(size: tuple[int, int], context: Any, traced: bool) -> Renderer:
@@ -112,7 +127,7 @@ def render(
     setup : Setup
     size : (int, int)
         Width and height in pixels.
-    renderer : {"auto", "gl", "numpy"}
+    renderer : {"auto", "gl", "numpy", "embree"}
     method : {"raster", "ray-tracing"}
         Radiosity and lightmaps are named in the plan and not there yet.
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, closing
 from functools import lru_cache
+from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
@@ -20,8 +21,9 @@ from playground.render.gl.context import headless
 from playground.render.gl.trace.ray_batch import RayBatch
 from playground.render.image import Image
 from playground.render.renderer import open_renderer
-from playground.render.trace import walk
+from playground.render.trace import embree, walk
 from playground.render.trace.bvh import bvh_of
+from playground.render.trace.solids import Walker
 
 SIZE, QUICK_SIZE = (640, 480), (160, 120)
 FLOOR = "written by hand"
@@ -32,6 +34,9 @@ WARM_UP = 12  # pictures: enough for a still scene to get its constants built in
 REPEATS = 3  # calls of one candidate in one round on the GPU; NumPy is slow enough for one
 JUDGED = 3  # step of the camera: not in the middle, where rays run along the edges of two walls
 REFERENCE = "NumPy in float64"
+WALKERS: dict[str, Walker] = {"NumPy": walk}
+if find_spec("embreex"):
+    WALKERS["Embree"] = embree
 Size = tuple[int, int]
 
 
@@ -39,7 +44,7 @@ def groups(quick: bool) -> Iterator[list[Candidate]]:
     """Each kind of ray in the mesh, then the room, by both backends in turn."""
     size = QUICK_SIZE if quick else SIZE
     for kind in KINDS:
-        yield [_mesh(kind, method, size) for method in ("GL", "NumPy")]
+        yield [_mesh(kind, method, size) for method in ("GL", *WALKERS)]
     yield [_room(FLOOR, size), _room("GL", size), _room("NumPy", size)]
 
 
@@ -53,13 +58,13 @@ def _ball() -> Any:
     return bumpy_ball()
 
 
-def _asked(kind: str, size: Size) -> Callable[[], NDArray[np.float64]]:
-    """What NumPy does: t of each ray; of shadow rays 1 where they are blocked and −1 where not."""
+def _asked(kind: str, size: Size, walker: Walker = walk) -> Callable[[], NDArray[np.float64]]:
+    """What the CPU does: t of each ray; of shadow rays 1 if blocked, −1 if not."""
     rays, bvh = _rays(size)[kind], bvh_of(_ball())
     given = rays.origin, rays.direction, rays.limit
     if rays.any_hit:
-        return lambda: np.where(walk.blocked(bvh, *given), 1.0, -1.0)
-    return lambda: walk.closest(bvh, *given)[0]
+        return lambda: np.where(walker.blocked(bvh, *given), 1.0, -1.0)
+    return lambda: walker.closest(bvh, *given)[0]
 
 
 def _batch(kind: str, size: Size) -> RayBatch:
@@ -70,17 +75,18 @@ def _batch(kind: str, size: Size) -> RayBatch:
 
 def _mesh(kind: str, method: str, size: Size) -> Candidate:
     def opened(stack: ExitStack) -> Timer:
-        run: Callable[[], object] = _asked(kind, size)
         if method == "GL":
             batch = _batch(kind, size)
             stack.callback(batch.release)
-            run = batch.run
+            run: Callable[[], object] = batch.run
+        else:
+            run = _asked(kind, size, WALKERS[method])
         return _rates(run, len(_rays(size)[kind].origin), method, {})
 
     def errors() -> Errors:
         want = _asked(kind, size)()
-        if method == "NumPy":
-            return hit_errors(want, want)
+        if method != "GL":
+            return hit_errors(_asked(kind, size, WALKERS[method])(), want)
         batch = _batch(kind, size)
         batch.run()
         t, triangle, _ = batch.hits()
@@ -158,7 +164,7 @@ def finding(rows: list[Row]) -> str:
     """Rates of each kind by each backend, and the room beside the shader written by hand."""
     parts = []
     meshes = [case for case in cases(rows) if not case.startswith(ROOM)]
-    for method in ("GL", "NumPy"):
+    for method in ("GL", *WALKERS):
         found = [of([r for r in rows if r.case == case], method) for case in meshes]
         rates = [f"{r[0].more[RATE]:.3g} {r[0].case}" for r in found if r]
         if rates:

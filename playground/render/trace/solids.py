@@ -9,7 +9,7 @@ flattened has no inverse: its tree is built in the space of the eye instead.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +25,18 @@ from playground.shading.vector import cross, unit
 ROUNDINGS = 16.0 * np.finfo(np.float64).eps  # of the two transforms that make a point
 SLACK = 1e-9  # a ball is taken this much larger than it is
 BLUR = 1e-14  # of a squared distance: more than its rounding
+
+
+class Walker(Protocol):
+    """Who finds the triangles of a tree that rays meet: the module `walk`, or `embree`."""
+
+    def closest(self, bvh: Bvh, origin: Array, direction: Array, limit: Array) -> tuple[Array, ...]:
+        """See `walk.closest`."""
+        ...
+
+    def blocked(self, bvh: Bvh, origin: Array, direction: Array, limit: Array) -> NDArray[np.bool_]:
+        """See `walk.blocked`."""
+        ...
 
 
 class Points(NamedTuple):
@@ -63,6 +75,7 @@ class Solid:
     absorption: Array
     closed: bool
     bvh: Bvh | None = None
+    walker: Walker = walk
 
     @property
     def transmissive(self) -> bool:
@@ -93,13 +106,13 @@ class Solid:
         inner = self.inward(origin, direction)
         if self.bvh is None:
             return (analytic.meeting(self.kind, *inner),)
-        return walk.closest(self.bvh, *inner, limit)
+        return self.walker.closest(self.bvh, *inner, limit)
 
     def blocks(self, origin: Array, direction: Array, limit: Array) -> NDArray[np.bool_]:
         """Whether it stands in the way before ``limit``, (N,)."""
         inner = self.inward(origin, direction)
         if self.bvh is not None:
-            return walk.blocked(self.bvh, *inner, limit)
+            return self.walker.blocked(self.bvh, *inner, limit)
         t = analytic.meeting(self.kind, *inner)
         return np.asarray((t > 0.0) & (t < limit))
 

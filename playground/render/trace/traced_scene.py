@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from playground.render.raster.coverage import SUBPIXELS, sample_position
 from playground.render.surface import Surface, surfaces
-from playground.render.trace import analytic
+from playground.render.trace import analytic, walk
 from playground.render.trace.bvh import build, bvh_of
 from playground.render.trace.hits import closest
 from playground.render.trace.lamp import parallelogram
 from playground.render.trace.media import Media
-from playground.render.trace.solids import Solid
+from playground.render.trace.solids import Solid, Walker
 from playground.render.view import View, view_of
 from playground.scene.light import AreaLight, Light
 from playground.scene.material import Material
@@ -88,8 +88,11 @@ class TracedScene:
         return origin, towards / length[:, None], limit
 
 
-def prepare(setup: Setup, size: tuple[int, int]) -> TracedScene:
-    """The scene of ``setup`` for pictures of ``size`` (width, height) in pixels."""
+def prepare(setup: Setup, size: tuple[int, int], walker: Walker = walk) -> TracedScene:
+    """The scene of ``setup`` for pictures of ``size`` (width, height) in pixels.
+
+    ``walker`` finds what rays meet in meshes.
+    """
     everything = surfaces(setup.scene, setup.settings.weights)
     view = view_of(setup.camera, everything, size)
     count = len(setup.scene.objects)
@@ -103,6 +106,7 @@ def prepare(setup: Setup, size: tuple[int, int]) -> TracedScene:
     for front, back in zip(sides[::2], sides[1::2], strict=True):
         glow = front.constant_terms, back.constant_terms
         solids.append(_placed(*_lamp(front, setup.scene.lights), view, glow))
+    solids = [replace(solid, walker=walker) for solid in solids]
     return TracedScene(setup, size, view, tuple(solids), Media(solids))
 
 

@@ -12,6 +12,8 @@ from playground.errors import PlaygroundError
 from playground.render.checks import check_out, check_setup
 from playground.render.image import Image, LeftOut
 from playground.render.numpy_renderer import sample_offsets
+from playground.render.trace import walk
+from playground.render.trace.solids import Walker
 from playground.render.trace.traced_scene import TracedScene, prepare
 from playground.render.trace.warn import warnings_of
 from playground.render.trace.whitted import BATCH, primary, waves
@@ -23,6 +25,7 @@ class NumpyTracer:
     """Traces pictures of one size. ``left_out`` and ``warnings`` tell of the last one."""
 
     name = "numpy"
+    walker: Walker = walk
 
     def __init__(self, size: tuple[int, int]) -> None:
         self.size = size
@@ -34,7 +37,7 @@ class NumpyTracer:
         check_setup(setup)
         if out is not None:
             check_out(out, self.size)
-        tracing = Tracing(setup, self.size)
+        tracing = Tracing(setup, self.size, self.walker)
         for _ in tracing.steps():
             pass
         image = tracing.image()
@@ -55,19 +58,31 @@ class NumpyTracer:
         self.close()
 
 
+class EmbreeTracer(NumpyTracer):
+    """The same, but rays go through meshes with Embree; see `playground.render.trace.embree`."""
+
+    name = "embree"
+
+    def __init__(self, size: tuple[int, int]) -> None:
+        from playground.render.trace import embree
+
+        embree.check_embree()
+        self.walker = embree
+        super().__init__(size)
+
+
 class Tracing:
     """One picture while it is made: can be looked at, and dropped, after every step."""
 
-    name = NumpyTracer.name
-
-    def __init__(self, setup: Setup, size: tuple[int, int]) -> None:
+    def __init__(self, setup: Setup, size: tuple[int, int], walker: Walker = walk) -> None:
         if setup.settings.bugs:
             raise PlaygroundError(
                 "the ray tracer makes no mistakes",
                 got=f"bugs = {', '.join(setup.settings.bugs)}",
                 fix="Use --method raster, or --set bugs= for none.",
             )
-        self.scene: TracedScene = prepare(setup, size)
+        self.scene: TracedScene = prepare(setup, size, walker)
+        self.name = NumpyTracer.name if walker is walk else EmbreeTracer.name
         self.warnings = warnings_of(self.scene)
         pixels = size[0] * size[1]
         self._colour, self._lost = np.zeros((pixels, 3)), np.zeros((pixels, 3))
