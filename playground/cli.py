@@ -174,6 +174,7 @@ def _add_needs(subparsers: Subparsers) -> None:
     needs.add_argument(
         "--budget", type=_budget, default=0.01, help="the largest error, 0.01 unless given"
     )
+    needs.add_argument("--method", default="raster", help="raster or ray-tracing")
     needs.add_argument("--metric", default="rmse", help="of the error: rmse, flip or max")
     needs.add_argument("-o", "--output", type=Path, help="the proposal: a .toml, or a folder")
     needs.add_argument("--json", action="store_true", help="one JSON document, nothing else")

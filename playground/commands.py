@@ -207,6 +207,7 @@ def needs(options: Namespace) -> int:
         metric=options.metric,
         size=options.size or DEFAULT_SIZE,
         renderer=options.renderer,
+        method=options.method,
     )
 
 

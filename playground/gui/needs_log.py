@@ -30,6 +30,7 @@ class NeedsLog(Declared):
     label = "needs"
 
     of: Setup | None = None
+    method: str = "raster"
     running: bool = False
     progress: Progress = field(default_factory=Progress)
     doing: str = ""
@@ -49,7 +50,8 @@ def asked(state: State) -> State:
     """Measure the setup as it is."""
     of = replace(state.setup)  # a new object, noticed by identity
     before = state.needs
-    log = NeedsLog(of=of, running=True, budget=before.budget, metric=before.metric)
+    method = "ray-tracing" if state.method == "ray-tracing" else "raster"
+    log = NeedsLog(of=of, method=method, running=True, budget=before.budget, metric=before.metric)
     return replace(state, needs=log)
 
 

@@ -57,7 +57,9 @@ def pieces(log: NeedsLog, context: Any) -> Pieces[Progress | Advice]:
     """The advisor's steps; the last item is its advice."""
     assert log.of is not None
     # FLIP holds up the whole window: only for who asks for it.
-    steps = advising(log.of, log.budget, log.metric, SIZE, "gl", context, flip=False)
+    steps = advising(
+        log.of, log.budget, log.metric, SIZE, "gl", context, flip=False, method=log.method
+    )
     try:
         while True:
             told = next(steps)

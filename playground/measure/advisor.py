@@ -16,7 +16,7 @@ from typing import Any, TypeVar
 
 from playground.errors import PlaygroundError, unknown_name
 from playground.measure.advice import METRICS, Advice, Errors, Finding, error_of, errors_of
-from playground.measure.candidates import Candidate, candidates_of, without
+from playground.measure.candidates import ONLY, Candidate, candidates_of, without
 from playground.measure.paired import Cost, Stopwatch, paired
 from playground.render.checks import check_setup
 from playground.render.image import Image
@@ -61,6 +61,7 @@ def advising(
     context: Any = None,
     cost: Cost | None = None,
     flip: bool = True,
+    method: str = "raster",
 ) -> Steps[Advice]:
     """Measure ``setup`` and propose what to drop; yields after every picture or two.
 
@@ -79,6 +80,8 @@ def advising(
         Milliseconds that one picture of a setup takes; by default it is drawn and timed.
     flip : bool
         Whether FLIP is measured, too, where it is not the metric.
+    method : {"raster", "ray-tracing"}
+        How the pictures are made; it decides what there is to drop.
 
     Returns
     -------
@@ -90,13 +93,13 @@ def advising(
     PlaygroundError
         A budget that is no number above 0, an unknown metric, and what a renderer refuses.
     """
-    _check(setup, budget, metric)
+    _check(setup, budget, metric, method)
     with ExitStack() as held:
-        drawn = held.enter_context(open_renderer(size, renderer, context))
+        drawn = held.enter_context(open_renderer(size, renderer, context, method))
         size = drawn.size
         warm = 0
         if cost is None:
-            cost = held.enter_context(closing(Stopwatch(size, drawn.name, context)))
+            cost = held.enter_context(closing(Stopwatch(size, drawn.name, context, method)))
             warm = _warm(drawn.name)
         full = _picture(drawn, setup)
         compared = partial(errors_of, full, flip=flip or metric == "flip")
@@ -104,7 +107,10 @@ def advising(
             paired(cost, setup, replace(setup), warm),
             lambda share: Progress(FIRST * share, "the setup against itself"),
         )
-        findings = yield from _findings(setup, drawn, compared, cost, warm, control.spread)
+        candidates = candidates_of(setup, method)
+        findings = yield from _findings(
+            setup, candidates, drawn, compared, cost, warm, control.spread
+        )
         chosen = yield from _chosen(setup, drawn, full, findings, budget, metric)
         advice = Advice(setup, setup, size, drawn.name, metric, budget, findings)
         if not chosen:
@@ -124,6 +130,7 @@ def advising(
 
 def _findings(
     setup: Setup,
+    candidates: tuple[Candidate, ...],
     drawn: Renderer,
     compared: Callable[[Image], Errors],
     cost: Cost,
@@ -131,7 +138,6 @@ def _findings(
     floor: float,
 ) -> Steps[tuple[Finding, ...]]:
     """Each candidate left out alone: the errors, and the time that it saves."""
-    candidates = candidates_of(setup)
     findings: list[Finding] = []
     for number, candidate in enumerate(candidates):
 
@@ -206,7 +212,7 @@ def _warm(renderer: str) -> int:
     return STEADY + 2
 
 
-def _check(setup: Setup, budget: object, metric: str) -> None:
+def _check(setup: Setup, budget: object, metric: str, method: str) -> None:
     check_setup(setup)
     number = isinstance(budget, (int, float)) and not isinstance(budget, bool)
     if not number or not (isfinite(budget) and budget > 0.0):  # type: ignore[arg-type, operator]
@@ -218,3 +224,5 @@ def _check(setup: Setup, budget: object, metric: str) -> None:
         )
     if metric not in METRICS:
         raise unknown_name("metric", metric, METRICS)
+    if method not in ONLY:
+        raise unknown_name("method", method, ONLY)

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from playground.render.texels import load_texture
-from playground.scene.light import PointLight
+from playground.scene.light import AreaLight, PointLight
 from playground.scene.scene import Object
 from playground.scene.settings import Shading
 from playground.scene.setup import Setup
@@ -45,9 +45,13 @@ class Candidate:
     change: Change = field(compare=False, repr=False)
 
 
-def candidates_of(setup: Setup) -> tuple[Candidate, ...]:
-    """Everything that could be dropped from ``setup``, in the order of `KINDS`."""
-    return tuple(candidate for kind in KINDS.values() for candidate in kind(setup))
+def candidates_of(setup: Setup, method: str = "raster") -> tuple[Candidate, ...]:
+    """Everything that could be dropped from ``setup``, in the order of `KINDS`.
+
+    Only of kinds that make a difference to pictures by this ``method``.
+    """
+    alone = {kind for kinds in ONLY.values() for kind in kinds} - set(ONLY[method])
+    return tuple(c for kind in KINDS if kind not in alone for c in KINDS[kind](setup))
 
 
 def without(setup: Setup, dropped: Iterable[Candidate]) -> Setup:
@@ -57,7 +61,8 @@ def without(setup: Setup, dropped: Iterable[Candidate]) -> Setup:
     its turn comes.
     """
     left = set(dropped)
-    for candidate in reversed(candidates_of(setup)):
+    every = [candidate for kind in KINDS.values() for candidate in kind(setup)]
+    for candidate in reversed(every):
         if candidate in left:
             setup = candidate.change(setup)
     return setup
@@ -157,6 +162,33 @@ def samples(setup: Setup) -> Iterator[Candidate]:
         count //= 2
 
 
+def bounces(setup: Setup) -> Iterator[Candidate]:
+    """Each bounce less, down to none, where anything mirrors or lets light through."""
+    materials = [item.material for item in setup.scene.objects]
+    now = setup.settings.depth
+    if any(any(m.reflectance) or any(m.transmittance) for m in materials):
+        for depth in range(now - 1, -1, -1):
+
+            def change(setup: Setup, depth: int = depth) -> Setup:
+                return setup.with_(depth=depth)
+
+            yield Candidate("bounce", "bounces", f"bounces: {now} → {depth}", change)
+
+
+def light_samples(setup: Setup) -> Iterator[Candidate]:
+    """Half as many shadow rays to each area light, and so on down to one."""
+    now = setup.settings.light_samples
+    count = now // 2 if any(isinstance(x, AreaLight) for x in setup.scene.lights) else 0
+    while count >= 1:
+
+        def change(setup: Setup, count: int = count) -> Setup:
+            return setup.with_(light_samples=count)
+
+        name = f"shadow rays to each area light: {now} → {count}"
+        yield Candidate("shadow rays", "shadow rays", name, change)
+        count //= 2
+
+
 # Lights come first, to leave last: what goes before them still finds them by their numbers.
 KINDS: dict[str, Callable[[Setup], Iterator[Candidate]]] = {
     "light": lights,
@@ -165,7 +197,13 @@ KINDS: dict[str, Callable[[Setup], Iterator[Candidate]]] = {
     "texture": textures,
     "tessellation": tessellations,
     "shading": shadings,
+    "bounce": bounces,
+    "shadow rays": light_samples,
     "samples": samples,
+}
+ONLY = {  # kinds that are for one method only
+    "raster": ("tessellation", "shading"),
+    "ray-tracing": ("bounce", "shadow rays"),
 }
 
 

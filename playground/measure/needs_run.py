@@ -36,7 +36,7 @@ def run_needs(setup: Setup, output: Path | None, as_json: bool, **asked: Any) ->
         _check_place(output)
     advice = _measured(setup, asked)
     if output is not None:
-        _write(advice, output)
+        _write(advice, output, asked.get("method", "raster"))
     if as_json:
         print(json.dumps(advice.to_dict()))
     else:
@@ -90,7 +90,7 @@ def _check_place(output: Path) -> None:
         )
 
 
-def _write(advice: Advice, output: Path) -> None:
+def _write(advice: Advice, output: Path, method: str) -> None:
     if output.suffix:
         save(advice.proposed, output)
         return
@@ -99,7 +99,7 @@ def _write(advice: Advice, output: Path) -> None:
     save(advice.proposed, output / "proposed.toml")
     write_whole(output / "needs.json", json.dumps(advice.to_dict(), indent=1).encode())
     write_whole(output / "needs.csv", _csv(advice).encode())
-    with open_renderer(advice.size, advice.renderer) as renderer:
+    with open_renderer(advice.size, advice.renderer, method=method) as renderer:
         for name, setup in (("full", advice.setup), ("proposed", advice.proposed)):
             image: Any = renderer.render(setup)
             image.save(output / f"{name}.png")

@@ -125,9 +125,10 @@ class Stopwatch:
         size: tuple[int, int],
         renderer: str = "auto",
         context: Any = None,
+        method: str = "raster",
         clock: Callable[[], float] = perf_counter,
     ) -> None:
-        self._arguments = (size, renderer, context)
+        self._arguments = (size, renderer, context, method)
         self._clock = clock
         self._codes = np.empty((size[1], size[0], 4), np.uint8)
         self._open: list[tuple[Setup, Renderer]] = []

@@ -13,7 +13,7 @@ BAD = {
     "zero size": (("render", "sphere", "-o", "a.png", "--size", "0x10"), "1 to 32768"),
     "odd size": (("render", "sphere", "-o", "a.png", "--size", "ten"), "WxH"),
     "huge size": (("render", "sphere", "-o", "a.png", "--size", "99999x2"), "1 to 32768"),
-    "unknown renderer": (("render", "sphere", "-o", "a.png", "--renderer", "cuda"), "auto, gl, numpy"),
+    "unknown renderer": (("render", "sphere", "-o", "a.png", "--renderer", "cuda"), "auto, embree, gl, numpy"),
     "unknown shading": (("render", "sphere", "-o", "a.png", "--shading", "flatt"), "Did you mean 'flat'?"),
     "unknown term": (("render", "sphere", "-o", "a.png", "--terms", "diffuse,glow"), "ambient, diffuse"),
     "shininess range": (("render", "sphere", "-o", "a.png", "--shininess", "-1"), "0 to 1e+06"),

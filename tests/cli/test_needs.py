@@ -109,7 +109,7 @@ BAD = {
     "budget nan": (("sphere", "--budget", "nan"), "'nan' is no error budget"),
     "budget text": (("sphere", "--budget", "much"), "'much' is no error budget"),
     "metric": (("sphere", "--metric", "ssim"), "flip, max, rmse"),
-    "renderer": (("sphere", "--renderer", "cuda"), "auto, gl, numpy"),
+    "renderer": (("sphere", "--renderer", "cuda"), "auto, embree, gl, numpy"),
     "kind of file": (("sphere", "-o", "a.png"), ".toml"),
     "no folder": (("sphere", "-o", "none/a.toml"), "Make the folder none"),
 }

@@ -14,7 +14,7 @@ from playground.errors import PlaygroundError
 from playground.measure import metrics
 from playground.measure.advice import error_of
 from playground.measure.advisor import advise, advising
-from playground.measure.candidates import KINDS, candidates_of, without
+from playground.measure.candidates import KINDS, ONLY, candidates_of, without
 from playground.measure.paired import DOUBT, FEWEST, PAIRS, Stopwatch, paired, saving_of
 from playground.render.renderer import render
 from playground.scene.library import load
@@ -143,7 +143,7 @@ def test_every_kind_changes_what_its_name_says():
     fading = replace(KEY, attenuate=True)
     setup = load("textured").with_(lights=(fading, DARK), samples=4)
     every = candidates_of(setup)
-    assert {candidate.kind for candidate in every} == set(KINDS)
+    assert {candidate.kind for candidate in every} == set(KINDS) - set(ONLY["ray-tracing"])
     assert len({candidate.name for candidate in every}) == len(every)
     for candidate in every:
         assert candidate.change(setup) != setup
@@ -313,7 +313,7 @@ def test_what_a_window_has_still_to_draw_is_not_timed(gl_context):
         def finish(self):
             order.append("finish")
 
-    watch = Stopwatch((4, 4), "gl", Window(), lambda: order.append("clock") or 0.0)
+    watch = Stopwatch((4, 4), "gl", Window(), clock=lambda: order.append("clock") or 0.0)
     watch(ball(KEY))
     watch.close()
     assert order == ["finish", "clock", "clock"]
@@ -335,3 +335,33 @@ def test_a_mesh_made_in_python_keeps_its_triangles():
     item = Object(arrays=mesh, material=Material())
     setup = Setup(Scene(objects=(item,), lights=(KEY,)))
     assert {c.kind for c in candidates_of(setup)} == {"light", "term", "shading"}
+
+
+def test_ray_tracing_may_drop_bounces_but_no_triangles() -> None:
+    setup = load("whitted-room").with_(depth=2)
+    traced = {c.name for c in candidates_of(setup, "ray-tracing")}
+    assert {"bounces: 2 → 1", "bounces: 2 → 0"} <= traced
+    assert not any(name.startswith(("shading", "tessellation")) for name in traced)
+    assert not any(name.startswith("bounces") for name in (c.name for c in candidates_of(setup)))
+
+    # Without the second bounce something of a mirrored mirror is missing; the advisor sees it.
+    advised = advise(
+        setup,
+        size=SIZE,
+        renderer="numpy",
+        cost=lambda s: 1.0 + s.settings.depth,
+        method="ray-tracing",
+    )
+    found = {f.candidate.name: f for f in advised.findings}
+    assert 0.0 < found["bounces: 2 → 1"].errors.rmse < found["bounces: 2 → 0"].errors.rmse
+    assert found["bounces: 2 → 0"].saving.saved == 2.0
+
+
+def test_without_mirrors_there_is_no_bounce_to_drop() -> None:
+    kinds = {c.kind for c in candidates_of(ball(KEY), "ray-tracing")}
+    assert "bounce" not in kinds and "shadow rays" not in kinds
+
+
+def test_shadow_rays_are_halved_for_area_lights_only() -> None:
+    names = [c.name for c in candidates_of(load("area-light"), "ray-tracing")]
+    assert "shadow rays to each area light: 16 → 1" in names

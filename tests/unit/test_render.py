@@ -188,7 +188,7 @@ def test_a_picture_too_large_for_the_driver(gl):
 def test_what_render_refuses():
     with pytest.raises(pg.PlaygroundError, match='load\\("teapot"\\)'):
         pg.render("teapot")
-    with pytest.raises(pg.PlaygroundError, match="auto, gl, numpy"):
+    with pytest.raises(pg.PlaygroundError, match="auto, embree, gl, numpy"):
         pg.render(pg.load("sphere"), renderer="cuda")
     with pytest.raises(pg.PlaygroundError, match="not built yet"):
         pg.render(pg.load("sphere"), method="radiosity")

@@ -1,4 +1,4 @@
-"""Cases of what is shown: the sRGB curve and its 8-bit codes, the bilinear lookup."""
+"""Cases of what is shown: the sRGB curve and its 8-bit codes."""
 
 from __future__ import annotations
 
@@ -21,11 +21,3 @@ def srgb(inputs: Outputs, formulas: Any) -> Outputs:
         "code8": code8(encoded),
         "decode": formulas.display.srgb_decode(clamped),
     }
-
-
-def lightmap_bilinear(inputs: Outputs, formulas: Any) -> Outputs:
-    """Bilinear lookup that stops at the border: the outermost texel centres bound u and v."""
-    texels = np.repeat(np.asarray(inputs["texels"], np.float64)[..., None], 3, axis=-1)
-    size = np.array([texels.shape[1], texels.shape[0]])
-    texcoord = np.clip([inputs["u"], inputs["v"]], 0.5 / size, 1.0 - 0.5 / size)
-    return {"value": formulas.texture.bilinear(texels, texcoord)[0]}

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from playground.measure.cases import display, light, place, raster, rays, shading
+from playground.measure.cases import display, hemicube, light, lightmap, place, raster, rays, shading
 
 Solve = Callable[[dict[str, Any], Any], dict[str, Any]]
 
@@ -40,8 +40,12 @@ SYSTEMS: dict[str, System] = {
     "raster_coverage": System(raster.raster_coverage, cpu=True),
     "perspective_interp": System(raster.perspective_interp, cpu=True),
     "near_clip": System(raster.near_clip, cpu=True),
+    "hemicube_pixel": System(hemicube.hemicube_pixel),
+    "hemicube_sum": System(hemicube.hemicube_sum),
     "srgb": System(display.srgb),
-    "lightmap_bilinear": System(display.lightmap_bilinear),
+    "lightmap_bilinear": System(lightmap.lightmap_bilinear),
+    "lightmap_dilate": System(lightmap.lightmap_dilate),
+    "lightmap_bleed": System(lightmap.lightmap_bleed),
     "ray_sphere": System(rays.ray_sphere),
     "ray_triangle": System(rays.ray_triangle),
     "watertight_fan": System(rays.watertight_fan),
@@ -69,9 +73,6 @@ SYSTEMS: dict[str, System] = {
         "form_factor_strips",
         "form_factor_box",
         "form_factor_pair",
-        "hemicube_pixel",
-        "hemicube_sum",
     ),
     **_waiting("no radiosity yet", "radiosity_furnace", "radiosity_solve", "radiosity_enclosure"),
-    **_waiting("no lightmap baking yet", "lightmap_dilate", "lightmap_bleed"),
 }
