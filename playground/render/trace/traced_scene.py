@@ -72,17 +72,21 @@ class TracedScene:
         They pass through the very points that the rasteriser samples. A near and a far plane
         that the camera names itself cut off what lies beyond them; fitted ones do not.
         """
-        width, height = self.size
         x, y = sample_position(offset) / SUBPIXELS
-        across = 2.0 * (pixels % width + x) / width - 1.0
-        up = 1.0 - 2.0 * (pixels // width + y) / height
+        return self.rays_through(pixels % self.size[0] + x, pixels // self.size[0] + y)
+
+    def rays_through(self, x: Array, y: Array) -> tuple[Array, Array, Array]:
+        """The same through points (N,) of the picture, in pixels from its upper left corner."""
+        width, height = self.size
+        across = 2.0 * x / width - 1.0
+        up = 1.0 - 2.0 * y / height
         half = self.view.pixel(height) * height / 2.0
-        seen = np.stack([across * half * width / height, up * half, -np.ones(len(pixels))], axis=1)
+        seen = np.stack([across * half * width / height, up * half, -np.ones(len(x))], axis=1)
         towards = seen @ self.view.camera_from_world
         length = np.sqrt(np.einsum("ni,ni->n", towards, towards))
         camera, scale = self.setup.camera, self.view.scale
         origin = towards * (camera.near * scale)
-        limit = np.full(len(pixels), np.inf)
+        limit = np.full(len(x), np.inf)
         if camera.far:
             limit = (camera.far - camera.near) * scale * length
         return origin, towards / length[:, None], limit
