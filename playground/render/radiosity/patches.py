@@ -24,7 +24,8 @@ class Parents:
     A regular parent is cut evenly, so that its patches can be found from where a point lies
     on it: a quad into ``grid`` = (m, n) pieces along its first edge and along its last, the
     piece in column a and row b being patch ``first + a * n + b``; a triangle into m = n parts
-    of each edge, m² pieces.
+    of each edge, m² pieces: of the cell in column a and row b, along the edges from its first
+    corner, the half at that corner is patch ``first + a * (2m - a) + 2b``, the other the next.
     """
 
     corners: Array  # (M, 4, 3): counter-clockwise from the front; a triangle repeats its last
@@ -37,6 +38,28 @@ class Parents:
         """Which parents are triangles, (M,)."""
         return np.asarray(np.all(self.corners[:, 2] == self.corners[:, 3], axis=-1))
 
+    def patch_at(self, parent: Ints, s: Array, t: Array) -> Ints:
+        """Which patch (K,) of regular parents (K,) holds the points (s, t), (K,) in [0, 1] each.
+
+        On a quad the point is the bilinear mean of the corners a, b, c, d, with s from a to b
+        and t from a to d; on a triangle it is a + s (b − a) + t (c − a), s + t at most 1.
+        """
+        m, n = self.grid[parent].T
+        a = np.minimum((s * m).astype(np.int32), m - 1)
+        b = np.minimum((t * n).astype(np.int32), n - 1)
+        beyond = (s * m - a) + (t * n - b) > 1.0
+        beyond &= a + b < m - 1  # the cells along the third edge have one half
+        piece = np.where(self.triangle[parent], a * (2 * m - a) + 2 * b + beyond, a * n + b)
+        return np.asarray(self.first[parent] + piece, dtype=np.int32)
+
+
+@dataclass(frozen=True, eq=False)
+class Cells:
+    """What adaptive division divides: pieces before the seams to smaller neighbours are cut."""
+
+    corners: Ints  # (C, 4): into the points, like those of patches
+    of: Ints  # (N,): of which cell a patch is the whole or a part
+
 
 @dataclass(frozen=True, eq=False)
 class Patches:
@@ -47,11 +70,13 @@ class Patches:
     normals: Array  # (V, 3): unit shading normals there
     texcoords: Array | None  # (V, 2), None if no object has any
     corners: Ints  # (N, 4): into `points`, from the front; a triangle repeats its last
-    owner: Ints  # (N,): which object of the scene; the area lights come after the objects
+    owner: Ints  # (N,): which object of the scene; after the objects come the area lights
     parent: Ints  # (N,): of which parent it is a piece
     reflectance: Array  # (N, 3): w_d m_d, times the mean of the texture, in [0, 1)
     emission: Array  # (N, 3): w_e m_e, or the s_d of an area light: as radiance, like all colours
     parents: Parents
+    cells: Cells | None = None  # None where each patch is one
+    warnings: tuple[str, ...] = ()
 
     def __len__(self) -> int:
         return len(self.corners)

@@ -1,0 +1,56 @@
+"""How much memory is free, and whether a matrix of form factors would fit."""
+
+from __future__ import annotations
+
+import os
+from math import isqrt
+from pathlib import Path
+
+from playground.errors import PlaygroundError
+
+BYTES = 8  # of a form factor
+
+
+def available() -> int | None:
+    """Bytes of memory that can be had without swapping; None where the system does not say."""
+    try:
+        for line in Path("/proc/meminfo").read_text(encoding="ascii").splitlines():
+            if line.startswith("MemAvailable:"):
+                return int(line.split()[1]) * 1024
+    except (OSError, ValueError, IndexError):
+        pass
+    try:
+        return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    except (AttributeError, OSError, ValueError):
+        return None
+
+
+def check_memory(patches: int, fewest: int) -> None:
+    """Raise an error if the form factors of so many patches do not fit into memory.
+
+    Parameters
+    ----------
+    patches : int
+        How many there would be.
+    fewest : int
+        How many there are with nothing divided.
+    """
+    free = available()
+    if free is None or patches * patches * BYTES <= free:
+        return
+    fits = isqrt(free // BYTES)
+    if fewest <= fits:
+        fix = f"Ask for fewer: patches = {fits}."
+    else:
+        fix = f"The meshes alone have {fewest} pieces: lower their tessellation, or simplify them."
+    raise PlaygroundError(
+        f"the form factors of {patches} patches do not fit into memory",
+        got=f"{patches}² × {BYTES} bytes = {_size(patches * patches * BYTES)}, "
+        f"and {_size(free)} free",
+        allowed=f"about {fits} patches on this machine",
+        fix=fix,
+    )
+
+
+def _size(count: int) -> str:
+    return f"{count / 1e9:.3g} GB"
