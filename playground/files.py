@@ -107,7 +107,16 @@ def texture_file(name: str, folder: Path | None) -> Path:
 
     A bare name that is not there, or has no folder to be in, is one of our textures.
     """
-    ours = locate.asset("textures") / name
+    return _there_or_ours("textures", name, folder)
+
+
+def mesh_file(name: str, folder: Path | None) -> Path:
+    """The mesh file that ``name`` means in a setup file in ``folder``, or one of our meshes."""
+    return _there_or_ours("meshes", name, folder)
+
+
+def _there_or_ours(kind: str, name: str, folder: Path | None) -> Path:
+    ours = locate.asset(kind) / name
     there = folder is not None and os.path.exists(folder / name)
     if Path(name).name == name and not there and os.path.isfile(ours):
         return ours

@@ -12,7 +12,7 @@ from typing import Any, TypeVar
 
 from playground import locate
 from playground.errors import PlaygroundError, unknown_name
-from playground.files import resolved, texture_file
+from playground.files import mesh_file, resolved, texture_file
 from playground.scene.camera import Camera
 from playground.scene.knob import Declared, knobs
 from playground.scene.light import LIGHTS, Light
@@ -33,7 +33,7 @@ def to_table(setup: Setup, folder: Path | None = None) -> Table:
     Paths of files become relative to ``folder`` where they lie in it, else absolute; a
     texture of ours is called by its bare name.
     """
-    table: Table = {"scene": _values(setup.scene)}
+    table: Table = {"scene": _scene_table(setup.scene, folder)}
     table["light"] = [{"type": light.kind, **_values(light)} for light in setup.scene.lights]
     table["object"] = [_object_table(item, folder) for item in setup.scene.objects]
     table["camera"] = _values(setup.camera)
@@ -60,7 +60,7 @@ def from_table(table: Table, name: str = "untitled", folder: Path | None = None)
         _object(_as_table(entry, f"object[{i}]"), f"object[{i}]", folder)
         for i, entry in enumerate(_as_list(table, "object"))
     ]
-    scene = _declared(Scene, _section(table, "scene"), "scene")
+    scene = _scene(_section(table, "scene"), folder)
     return Setup(
         scene=replace(scene, objects=tuple(objects), lights=tuple(lights)),
         camera=_declared(Camera, _section(table, "camera"), "camera"),
@@ -80,6 +80,20 @@ def _values(value: Declared) -> Table:
 def _listed(value: Any) -> Any:
     """Tuples as lists, all the way down: what TOML has."""
     return [_listed(x) for x in value] if isinstance(value, tuple) else value
+
+
+def _scene_table(scene: Scene, folder: Path | None) -> Table:
+    values = _values(scene)
+    if "lightmap" in values:
+        values["lightmap"] = _written(Path(scene.lightmap), folder)
+    return values
+
+
+def _scene(table: Table, folder: Path | None) -> Scene:
+    table = dict(table)
+    if isinstance(table.get("lightmap"), str) and table["lightmap"]:
+        table["lightmap"] = _absolute((folder or Path()) / table["lightmap"])
+    return _declared(Scene, table, "scene")
 
 
 def _object_table(item: Object, folder: Path | None) -> Table:
@@ -113,7 +127,7 @@ def _object(table: Table, where: str, folder: Path | None) -> Object:
     if isinstance(material_table.get("texture"), str) and material_table["texture"]:
         material_table["texture"] = _absolute(texture_file(material_table["texture"], folder))
     if isinstance(table.get("mesh"), str) and table["mesh"].lower().endswith(MESH_FILES):
-        table["mesh"] = _absolute((folder or Path()) / table["mesh"])
+        table["mesh"] = _absolute(mesh_file(table["mesh"], folder))
     item = _declared(Object, table, where, extra=("material", "transform"))
     return replace(
         item,
@@ -167,9 +181,10 @@ def _absolute(path: Path) -> str:
 def _written(path: Path, folder: Path | None) -> str:
     """What a setup file in ``folder`` calls a file; without a folder, what any place can."""
     path = resolved(path)
-    if path.parent == resolved(locate.asset("textures")):
-        ours = resolved(texture_file(path.name, folder)) == path
-        return path.name if ours else str(path)
+    for kind, file in (("textures", texture_file), ("meshes", mesh_file)):
+        if path.parent == resolved(locate.asset(kind)):
+            ours = resolved(file(path.name, folder)) == path
+            return path.name if ours else str(path)
     if folder is not None and path.is_relative_to(home := resolved(folder)):
         return path.relative_to(home).as_posix()
     return str(path)
