@@ -159,8 +159,17 @@ def _arriving(light: SurfaceLight, view: View, position: Array) -> tuple[Array, 
     """The unit vector to the light and the share of it that arrives, (..., 3) and (...)."""
     if light.to_light is not None:
         return np.broadcast_to(light.to_light, position.shape), np.ones_like(position[..., 0])
-    assert light.position is not None
     place, fading = _place(light, view, position.dtype)
+    return from_lamp(light, position, place, fading)
+
+
+def from_lamp(
+    light: SurfaceLight, position: Array, place: Array, fading: tuple[float, float, float]
+) -> tuple[Array, Array]:
+    """The unit vector to a point or spot light at ``place`` (3,), and the share that arrives.
+
+    ``fading`` is (k_c, k_l, k_q) for distances in the units of the positions (..., 3).
+    """
     to_light, distance = toward(position, place)
     strength = np.ones_like(distance)
     if light.attenuates:

@@ -1,0 +1,1 @@
+"""Radiosity on the GPU: form factors."""

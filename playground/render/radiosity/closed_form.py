@@ -1,0 +1,100 @@
+"""Rows of form factors by closed form and rays, of which each pair is computed once.
+
+A_i F_ij is the same from either side: what the rows that came before have told is not computed
+again, which halves the work for all rows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from playground.render.radiosity.pairs import by_size, exact, exchange, near
+from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.visibility import facing
+from playground.shading.floats import Array
+
+Ints = NDArray[np.intp]
+# Rows (k,) and columns (c,) -> A_i F_ij as if all were far, and the visible shares, (k, c) each.
+Pairs = Callable[[Ints, Ints], tuple[NDArray[Any], NDArray[Any]]]
+
+PAIRS = 200_000  # at a time
+MOST_BYTES = 2**29  # for what is kept: the rows of 11,585 patches in float32
+
+
+class ClosedForm:
+    """Rows F_ij of the chosen patches, (k, N), whenever it is called.
+
+    Parameters
+    ----------
+    occlusion : bool
+        Whether patches hide one another.
+    points, rays : int
+        Per side of a patch, see `pairs`: with 3 and 2 the whole matrix of a room with blocks is
+        off by 1.3 % at 594 patches and by 0.6 % at 2,376 (the sum of all errors beside that of all
+        factors), nearly all of it in half-shadows.
+    gpu : function, optional
+        What computes far pairs and shares in place of NumPy: `gl.radiosity.pairs.GpuPairs`.
+    """
+
+    def __init__(
+        self,
+        patches: Patches,
+        occlusion: bool = True,
+        points: int = 3,
+        rays: int = 2,
+        gpu: Pairs | None = None,
+    ) -> None:
+        self._patches, self._gpu = patches, gpu
+        self._knobs = occlusion, points, rays
+        size = len(patches)
+        self._dtype = np.float64 if gpu is None else np.float32
+        keeps = size * size * np.dtype(self._dtype).itemsize <= MOST_BYTES
+        self._kept = np.empty((size, size) if keeps else (0, 0), dtype=self._dtype)
+        self._known = np.zeros(size, dtype=bool)
+
+    def __call__(self, chosen: ArrayLike) -> Array:
+        """The rows of the chosen patches, (k, N)."""
+        wanted = np.asarray(chosen, dtype=np.intp).reshape(-1)
+        rows = np.empty((len(wanted), len(self._patches)), dtype=self._dtype)
+        step = max(PAIRS // len(self._patches), 1)
+        for first in range(0, len(wanted), step):
+            part = wanted[first : first + step]
+            rows[first : first + step] = self._powers(part) / self._patches.area[part, None]
+        return rows
+
+    def _powers(self, chosen: Ints) -> Array:
+        """A_i F_ij, (k, N): from the rows that are known, and what is missing."""
+        if not self._kept.size:
+            return self._compute(chosen, np.arange(len(self._patches)))
+        fresh = np.unique(chosen[~self._known[chosen]])
+        if len(fresh):
+            known, missing = np.flatnonzero(self._known), np.flatnonzero(~self._known)
+            self._kept[fresh[:, None], known] = self._kept[known[:, None], fresh].T
+            self._kept[fresh[:, None], missing] = self._compute(fresh, missing)
+            self._known[fresh] = True
+        return np.asarray(self._kept[chosen])
+
+    def _compute(self, rows: Ints, columns: Ints) -> Array:
+        """A_i F_ij of rows and columns, (k, c)."""
+        if self._gpu is None:
+            i, j = (x.ravel() for x in np.meshgrid(rows, columns, indexing="ij"))
+            return exchange(self._patches, i, j, *self._knobs).reshape(len(rows), len(columns))
+        powers, share = self._gpu(rows, columns)
+        row, column = np.nonzero(near(self._patches, rows[:, None], columns))
+        seen = facing(self._patches, rows[row], columns[column]) & (share[row, column] > 0.0)
+        powers[row, column] = 0.0
+        row, column = row[seen], column[seen]
+        pairs = by_size(self._patches, rows[row], columns[column])
+        powers[row, column] = share[row, column] * exact(self._patches, *pairs)
+        return powers
+
+
+def closed_form(
+    patches: Patches, chosen: ArrayLike, occlusion: bool = True, points: int = 3, rays: int = 2
+) -> Array:
+    """Rows F_ij from patch to patch, (len(chosen), N) float64; `pairs` says how."""
+    return ClosedForm(patches, occlusion, points, rays)(chosen)

@@ -1,0 +1,110 @@
+"""What stands between patches: exact where it can be, and never a patch's own plane."""
+
+import numpy as np
+import pytest
+from plates import BELOW, adjacent_plates, cube, patches_of, rectangle, room
+
+from playground.render.radiosity.closed_form import closed_form
+from playground.render.radiosity.form_factors import point_to_point
+from playground.render.radiosity.pairs import visible
+from playground.render.radiosity.visibility import between, can_hide, facing, lift_of
+
+ABOVE = rectangle((0, 0, 1), (0, 1, 0), (1, 0, 0))  # faces −z
+FIRST, SECOND = np.array([0]), np.array([1])
+
+
+def everything(patches):
+    return np.arange(len(patches))
+
+
+def turned(corners, offset=0.0):
+    """Corners turned by odd angles, so that nothing is parallel to an axis, and moved."""
+    a, b = 0.7, 0.4
+    x = np.array([[1, 0, 0], [0, np.cos(a), -np.sin(a)], [0, np.sin(a), np.cos(a)]])
+    y = np.array([[np.cos(b), 0, np.sin(b)], [0, 1, 0], [-np.sin(b), 0, np.cos(b)]])
+    return np.asarray(corners) @ (x @ y).T + offset
+
+
+def test_walls_of_a_room_hide_nothing_blocks_in_it_do():
+    assert not can_hide(cube(2)).any()
+    assert between(cube(2)).tree.nodes == 0, "no ray is tested against a wall"
+    assert can_hide(room(2, 1)).tolist() == [False] * 6 + [True] * 12
+
+
+def test_patches_face_each_other_if_a_part_of_each_is_before_the_other():
+    patches = patches_of([BELOW, ABOVE, BELOW + np.array([2, 0, 0]), BELOW[::-1]], [(1, 1)] * 4)
+    pairs = [(0, 1), (0, 2), (0, 3), (1, 3), (1, 2)]
+    found = [facing(patches, np.array([i]), np.array([j])).item() for i, j in pairs]
+    assert found == [True, False, False, False, True]
+
+
+@pytest.mark.parametrize("rays", [2, 3, 4])
+def test_a_wall_between_patches_hides_exactly_what_is_beyond(rays):
+    # It stands upright on the edge between patches: a pair sees all of each other, or nothing.
+    wall = rectangle((0.5, -1, -1), (0, 3, 0), (0, 0, 3))
+    with_wall = patches_of([BELOW, ABOVE, wall], [(2, 2), (2, 2), (1, 1)])
+    without = patches_of([BELOW, ABOVE], [(2, 2)] * 2)
+    left = without.centre[:, 0] < 0.5
+    expected = closed_form(without, everything(without)) * (left[:, None] == left)
+    found = closed_form(with_wall, everything(with_wall), rays=rays)[:8, :8]
+    np.testing.assert_array_equal(found, expected)
+
+
+# Faces −z as ABOVE does, and is the mirror image of itself, s for 1 − s, as BELOW is.
+MIRRORED = rectangle((1, 0, 1), (-1, 0, 0), (0, 1, 0))
+
+
+@pytest.mark.parametrize("upside_down", [False, True], ids=["front", "back"])
+@pytest.mark.parametrize(("above", "rays"), [(MIRRORED, 2), (ABOVE, 2), (ABOVE, 4)])
+def test_screens_over_either_half_of_a_plate_share_what_arrives(above, rays, upside_down):
+    # The screen all but touches the plate: each segment ends under the one half or the other.
+    shares = []
+    for start in (-0.5, 0.5):
+        screen = rectangle((start, -0.5, 1e-6), (1, 0, 0), (0, 2, 0))
+        screen = screen[::-1] if upside_down else screen
+        patches = patches_of([BELOW, above, screen], [(1, 1)] * 3)
+        shares.append(visible(patches, FIRST, SECOND, rays).item())
+    assert sum(shares) == pytest.approx(1.0, rel=1e-12)
+    if above is MIRRORED:
+        assert shares[0] == pytest.approx(0.5, rel=1e-12), "each segment has its mirror image"
+
+
+@pytest.mark.parametrize("offset", [0.0, 1000.0])
+def test_neither_a_patch_nor_its_coplanar_neighbours_stand_in_its_way(offset):
+    # A floor of two triangles and a wall on it; something is on the other side of each, so that
+    # all of them may hide something.
+    floor = [BELOW[[0, 1, 2, 2]], BELOW[[0, 2, 3, 3]]]
+    wall = [rectangle((0, 0, 0), (0, 1, 0), (0, 0, 1))]
+    beyond = [rectangle((-1, -1, -1), (3, 0, 0), (0, 3, 0))]
+    parents = turned([*floor, *wall, *beyond], offset)
+    patches = patches_of(parents, [(4, 4)] * 4)
+    assert can_hide(patches)[:3].all()
+    shown = np.flatnonzero(patches.parent < 3)
+    seen = closed_form(patches, shown)[:, shown]
+    np.testing.assert_array_equal(seen, closed_form(patches, shown, occlusion=False)[:, shown])
+    assert seen.any()
+
+
+def test_bent_quads_do_not_stand_in_their_own_way():
+    # Two triangles in float32 make a quad that is flat but for rounding: lifted by more than that
+    patches = patches_of(turned([BELOW, ABOVE, BELOW - [0, 0, 1]]), [(3, 3)] * 3)
+    corners = patches.parents.corners.astype(np.float32).astype(np.float64)
+    bent = patches_of(corners, [(3, 3)] * 3)
+    assert lift_of(patches) < 1e-13 < lift_of(bent) < 1e-6
+    # Seen from points of the quad, which is bilinear between its corners
+    i, j = (x.ravel() for x in np.meshgrid(np.arange(9), np.arange(9, 18)))
+    np.testing.assert_array_equal(visible(bent, i, j, 4), 1.0)
+
+
+def test_the_back_of_a_patch_hides_what_is_behind():
+    screen = rectangle((-1, -1, 0.5), (3, 0, 0), (0, 3, 0))
+    for corners in (screen, screen[::-1]):
+        patches = patches_of([BELOW, ABOVE, corners], [(1, 1)] * 3)
+        assert point_to_point(patches, [0])[0, 1] == 0.0
+        assert closed_form(patches, [0])[0, 1] == 0.0
+
+
+def test_a_common_edge_hides_nothing():
+    patches = adjacent_plates(3)
+    seen = closed_form(patches, everything(patches))
+    np.testing.assert_array_equal(seen, closed_form(patches, everything(patches), False))
