@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.gui import reference_pieces
-from playground.gui.driver import software
 from playground.gui.long_work import LongWork, Piece, Pieces, Progress, part
 from playground.gui.scope_path import Texts
 from playground.gui.speed_log import Dot, SpeedLog, key_of
 from playground.gui.texture_target import TextureTarget
 from playground.gui.two_works import TwoWorks
 from playground.measure.metrics import largest, rmse
+from playground.render.gl.driver import software
 from playground.render.gl.program import ShaderError
 from playground.render.gl.renderer import STEADY, GLRenderer
 from playground.render.image import Image
