@@ -1,4 +1,4 @@
-"""The only module that knows where ``shaders/`` and ``assets/`` are.
+"""The only module that knows where ``shaders/``, ``assets/`` and ``lessons/`` are.
 
 In a checkout and in an editable install they stand beside the package; a wheel
 carries them inside it.
@@ -24,3 +24,8 @@ def shader(name: str) -> Path:
 def asset(name: str) -> Path:
     """The path of an asset, for example ``asset("scenes/teapot.toml")``."""
     return _folder("assets") / name
+
+
+def lesson(name: str) -> Path:
+    """The path of a lesson's file, for example ``lesson("07_specular.py")``."""
+    return _folder("lessons") / name

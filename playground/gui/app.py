@@ -19,7 +19,8 @@ from playground.gui import frame, memory, theme
 from playground.gui.actions import fresh, open_setup
 from playground.gui.command_line import copied
 from playground.gui.comparison import Box
-from playground.gui.driver import software
+from playground.gui.lesson_course import open_lesson
+from playground.gui.lesson_run import LessonRun
 from playground.gui.measuring import Measuring
 from playground.gui.reading_run import ReadingRun
 from playground.gui.run_loop import loop
@@ -27,6 +28,7 @@ from playground.gui.scene_view import Slots
 from playground.gui.shader_edit import Watch, reloaded
 from playground.gui.state import State, shown, start
 from playground.gui.ui_loop import UiLoop
+from playground.render.gl.driver import software
 from playground.render.image_file import png_bytes
 from playground.scene.setup import Setup
 
@@ -58,6 +60,7 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
         self.slots = Slots(self.ctx)
         self.measuring = Measuring(self.ctx)
         self.reading = ReadingRun()
+        self.lesson = LessonRun(self.slots.lesson)
         self.hand = frame.Hand()
         self.state = State()
         self.dropped: list[str] = []
@@ -78,6 +81,8 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
             state = frame.remembered(state, opened, False)
         read = self.reading.advance(state)
         state = read if read.setup is state.setup else frame.remembered(state, read, False)
+        taught = self.lesson.advance(state)
+        state = taught if taught.setup is state.setup else frame.remembered(state, taught, False)
         files = self.watch.changed()
         state = reloaded(state, files) if files else state
         self.ui.begin(frame_time)
@@ -101,6 +106,7 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
         """Free everything while the context is still there."""
         self.measuring.close()
         self.reading.close()
+        self.lesson.close()
         self.slots.close()
         self.ui.close()
 
@@ -170,10 +176,11 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
         return np.ascontiguousarray(np.frombuffer(data, np.uint8).reshape(h, w, 3)[::-1])
 
 
-def run(setup: Setup, again: bool = False) -> None:
+def run(setup: Setup, again: bool = False, lesson: Path | None = None) -> None:
     """Open the window on ``setup`` and stay until it is closed.
 
-    With ``again``, the setup that the last window was closed on takes its place.
+    With ``again``, the setup that the last window was closed on takes its place. A ``lesson``
+    is opened beside it.
 
     Raises
     ------
@@ -190,6 +197,8 @@ def run(setup: Setup, again: bool = False) -> None:
     window.show(kept.setup if again and kept.setup else setup)
     window.state = memory.recalled(window.state, kept)
     window.wanted_size = kept.size
+    if lesson is not None:
+        window.state = open_lesson(window.state, lesson)
     try:
         loop(window)
         memory.keep(window.state, window.wnd.size)

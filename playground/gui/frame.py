@@ -20,7 +20,7 @@ from playground.gui import (
 )
 from playground.gui.comparison import Box
 from playground.gui.navigation import walked
-from playground.gui.panels import OPEN_AT_FIRST, PANELS, shaders
+from playground.gui.panels import OPEN_AT_FIRST, PANELS, lesson, shaders
 from playground.gui.presentation import backdrop, presenting, shows
 from playground.gui.scene_view import Slots
 from playground.gui.shortcuts import pressed
@@ -28,7 +28,7 @@ from playground.gui.state import State
 from playground.gui.tracing_told import told
 from playground.gui.widgets import Ui
 
-PANEL_WIDTH = 360.0  # pixels, at text size 1
+PANEL_WIDTH = 380.0  # pixels, at text size 1
 WIDEST_PANEL = 0.45  # of the window
 FIXED = (
     imgui.WindowFlags_.no_title_bar.value
@@ -90,6 +90,9 @@ def draw(
     if state.panel:
         _place(panel_box)
         state = _controls(state, ui)
+    if state.lesson is not None:
+        _place(beside(view_box, panel_box))
+        state = _lesson(state, slots)
     _place(view_box)
     state = same_point.kept(state, ui.view)
     state, dragging = _view(state, before, slots, scale)
@@ -115,8 +118,9 @@ def areas(state: State, scale: float) -> tuple[Box, Box, Box]:
     foot = 0 if presenting(state) and not state.failed else foot
     wide = round(min(PANEL_WIDTH * scale, WIDEST_PANEL * width)) if state.panel else 0
     low = shaders.height(state, height - foot)
+    read = lesson.width(state, width, scale)
     return (
-        (x, y, width - wide, height - foot - low),
+        (x + read, y, width - wide - read, height - foot - low),
         (x + width - wide, y, wide, height - foot),
         (x, y + height - foot, width, foot),
     )
@@ -126,6 +130,12 @@ def below(view: Box, panel: Box) -> Box:
     """What is left for the shaders under the view, in ImGui's units."""
     x, y, width, height = view
     return x, y + height, width, panel[1] + panel[3] - y - height
+
+
+def beside(view: Box, panel: Box) -> Box:
+    """What is left for the lesson, to the left of the view, in ImGui's units."""
+    x, y = round(imgui.get_main_viewport().work_pos.x), panel[1]
+    return x, y, view[0] - x, panel[3]
 
 
 def pixels(box: Box) -> tuple[int, int]:
@@ -175,6 +185,13 @@ def _view(state: State, good: State, slots: Slots, scale: float) -> tuple[State,
     imgui.end()
     imgui.pop_style_var(2)
     return state, dragging
+
+
+def _lesson(state: State, slots: Slots) -> State:
+    imgui.begin("Lesson", None, FIXED)
+    state = lesson.draw(state, slots.lesson)
+    imgui.end()
+    return state
 
 
 def _shaders(state: State, ui: Ui) -> State:

@@ -8,8 +8,11 @@ from imgui_bundle import imgui
 
 from playground.errors import PlaygroundError
 from playground.gui.actions import open_setup
+from playground.gui.lesson_course import open_lesson
 from playground.gui.shortcuts import ACTIONS, MENUS, Action
 from playground.gui.state import State
+from playground.lesson.library import lessons
+from playground.lesson.script import read_lesson
 from playground.scene.library import library, load
 
 
@@ -25,6 +28,8 @@ def draw(state: State) -> State:
             for action in ACTIONS:
                 if menu == "File" and action.name == "Save setup":
                     state = _recent(state)
+                if menu == "Lessons" and action.name == "Go on":
+                    state = _lessons(state)
                 if action.menu == menu:
                     state = _item(state, action)
             imgui.end_menu()
@@ -57,6 +62,30 @@ def _setups(state: State) -> State:
         if imgui.menu_item_simple(name, title, selected=name == state.loaded.name):
             state = open_setup(state, name)
     return state
+
+
+def _lessons(state: State) -> State:
+    """The lessons that come with the project: number, title, slides."""
+    for name, title, slides in _taught():
+        if imgui.menu_item_simple(f"{name}  {title}", slides):
+            state = open_lesson(state, name)
+    imgui.separator()
+    return state
+
+
+@lru_cache(maxsize=1)
+def _taught() -> tuple[tuple[str, str, str], ...]:
+    """Number, title and slides of every lesson; of a wrong one, what is wrong."""
+    found = []
+    for path in lessons():
+        number = str(int(path.stem[:2]))
+        try:
+            lesson = read_lesson(path)
+            slides = f"slide {', '.join(map(str, lesson.slides))}" if lesson.slides else ""
+            found.append((number, lesson.title, slides))
+        except PlaygroundError as error:
+            found.append((number, str(error), ""))
+    return tuple(found)
 
 
 @lru_cache(maxsize=1)

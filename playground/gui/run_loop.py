@@ -39,7 +39,7 @@ def busy(window: LightingWindow) -> bool:
     state = window.state
     moving = state.playing or state.reading is not None or under_way(state)
     rays = state.pixel is not None and (state.rays.playing or state.rays.lit >= 0)
-    moving = moving or rays or window.slots.traced.refining
+    moving = moving or rays or window.slots.traced.refining or window.lesson.coming
     return moving or bool(window.dropped) or _events_waiting()
 
 

@@ -11,6 +11,7 @@ import moderngl
 
 from playground.errors import PlaygroundError
 from playground.gui.difference import DifferencePicture
+from playground.gui.lesson_pictures import LessonPictures
 from playground.gui.overlay_lines import NO_MARKS, LineArt, Marks
 from playground.gui.reference import ReferencePicture
 from playground.gui.texture_target import TextureTarget
@@ -143,6 +144,7 @@ class Slots:
         self._slots: list[Slot] = []
         self.reference = ReferencePicture(context)
         self.difference = DifferencePicture(context)
+        self.lesson = LessonPictures(context)
         self.traced = TracedSlots(context)
         self._chalk = Slot(context)
         self._texts: Mapping[str, str] = {}
@@ -197,6 +199,7 @@ class Slots:
         self.reference.release()
         self.difference.release()
         self.traced.close()
+        self.lesson.forget()
         for slot in (*self._slots, self._chalk):
             slot.release()
         self._slots.clear()

@@ -11,7 +11,7 @@ from functools import cache, partial
 
 from imgui_bundle import imgui
 
-from playground.gui import actions, presentation
+from playground.gui import actions, lesson_course, presentation
 from playground.gui.navigation import NOTCH, SHIFT_STEP, STEP, closer, shifted, turned
 from playground.gui.pixel_pick import forget
 from playground.gui.stand import stepped
@@ -123,6 +123,9 @@ ACTIONS: tuple[Action, ...] = (
         on=lambda state: state.method == TRACED,
     ),
     *(_term(i, term) for i, term in enumerate(TERMS, 1)),
+    Action("Lessons", "Go on", "Page Down", (_key("page_down"),), lesson_course.go_on),
+    Action("Lessons", "Back", "Page Up", (_key("page_up"),), lesson_course.go_back),
+    Action("Lessons", "Close the lesson", "Ctrl+L", (_key("l", CTRL),), lesson_course.close_lesson),
     Action("Camera", "Frame the objects", "F", (_key("f"),), actions.frame_objects),
     Action(
         "Camera",

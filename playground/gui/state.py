@@ -11,6 +11,7 @@ from playground.gui.clue import Clue
 from playground.gui.gizmos import Grip
 from playground.gui.guess import Guess
 from playground.gui.history import History
+from playground.gui.lesson_course import Course
 from playground.gui.mark_log import MarkLog
 from playground.gui.needs_log import NeedsLog
 from playground.gui.overlay_knobs import Overlays
@@ -73,6 +74,7 @@ class State(Declared):
     edits: Texts = ()  # what the user made of shader files; never part of the setup
     on_disk: Texts = ()  # shader files that have changed on disk since the window opened
     shader_error: str = ""  # why the last good shaders run in place of the edited ones
+    lesson: Course | None = None  # the lesson that is open beside the picture
     guess: Guess = field(default_factory=Guess)
     scope: Scope = field(default_factory=Scope)
     speed: SpeedLog = field(default_factory=SpeedLog)

@@ -23,7 +23,7 @@ COLOUR_FLAGS = (
     | imgui.ColorEditFlags_.hdr.value
     | imgui.ColorEditFlags_.no_options.value
 )
-LABELS = 7.3  # width of the column of labels, in heights of the text
+LABELS = 8.8  # width of the column of labels, in heights of the text
 Item = TypeVar("Item")
 
 

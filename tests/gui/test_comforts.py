@@ -241,7 +241,9 @@ def test_no_key_means_two_things(window):
     for action in ACTIONS:
         for chord in action.chords:
             other = seen.setdefault(chord, action)
-            assert other is action or action.keys == "Esc", (action.name, other.name)
+            # An open lesson takes the keys of the camera that step through slides elsewhere.
+            takes = action.keys == "Esc" or other.menu == "Lessons"
+            assert other is action or takes, (action.name, other.name)
 
 
 def test_another_setup_is_never_compared_with_itself():

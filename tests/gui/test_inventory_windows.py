@@ -154,6 +154,7 @@ CHOSEN = {  # what each line of the menus does, on the teapot with a pixel and a
     **{mode.value: shading(mode.value) for mode in Shading},
     "Ray tracing, or back": turned("method"),
     **{f"{name} on or off": term(name) for name in TERMS},
+    **dict.fromkeys(("Go on", "Back", "Close the lesson"), "need a lesson: test_lesson"),
     "Frame the objects": camera,
     "Walk around, or stop": turned("playing"),
     "Arrows from the side, or back": lambda old, new: new.stand is not None,

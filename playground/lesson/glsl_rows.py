@@ -1,0 +1,54 @@
+"""Runs a function of GLSL text for rows of arguments, through transform feedback."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from playground.errors import PlaygroundError
+from playground.shading.vector import Array
+
+TYPES = {1: "float", 3: "vec3"}
+
+
+def run_rows(text: str, file: str, name: str, arguments: tuple[Array, ...]) -> Array:
+    """What function ``name`` of the text gives for each row of the arguments, a vec3: (N, 3).
+
+    Raises
+    ------
+    PlaygroundError
+        The text does not compile; the message names ``file`` and the line. Or there is no
+        GL driver.
+    """
+    import moderngl
+
+    from playground.render.gl.context import headless, rest
+    from playground.render.gl.source import assemble
+
+    rows = [np.ascontiguousarray(a, dtype=np.float32).reshape(len(a), -1) for a in arguments]
+    inputs = [f"in {TYPES[row.shape[1]]} in_{i};" for i, row in enumerate(rows)]
+    passed = ", ".join(f"in_{i}" for i in range(len(rows)))
+    main = f"out vec3 out_result;\nvoid main() {{ out_result = {name}({passed}); }}"
+    source = assemble(file, tail="\n".join([*inputs, main]), overrides={file: text})
+    context = headless()
+    try:
+        program = context.program(vertex_shader=source.text, varyings=("out_result",))
+    except moderngl.Error as error:
+        raise PlaygroundError(source.explain(str(error))) from None
+    columns = [context.buffer(row.tobytes()) for row in rows]
+    content = [
+        (column, f"{rows[i].shape[1]}f4", f"in_{i}")
+        for i, column in enumerate(columns)
+        if f"in_{i}" in program
+    ]
+    count = len(rows[0])
+    buffer = context.buffer(reserve=12 * count)
+    rest(context)
+    array = context.vertex_array(program, content)
+    array.transform(buffer, moderngl.POINTS, count)
+    result = np.frombuffer(buffer.read(), np.float32).reshape(count, 3).astype(np.float64)
+    held: list[Any] = [array, program, buffer, *columns]
+    for item in held:
+        item.release()
+    return result
