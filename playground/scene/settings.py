@@ -98,7 +98,7 @@ class Settings(Declared):
     refinement: int = integer(
         0, 0, 6, help="radiosity: rounds in which patches are divided where the light changes"
     )
-    form_factors: str = choice("hemicube", FORM_FACTORS, help="radiosity: how F_ij is computed")
+    form_factors: str = choice("closed-form", FORM_FACTORS, help="radiosity: how F_ij is computed")
     hemicube: int = integer(64, 8, 1024, help="radiosity: pixels along an edge of the hemicube")
     occlusion: bool = switch(True, help="radiosity: patches hide one another")
     normalise: bool = switch(

@@ -347,3 +347,13 @@ def test_the_same_setup_gives_the_same_patches():
     setup = pg.load("teapot").with_(patches=100, tessellation=3, diffuse=(0.5, 0.5, 0.5))
     one, other = divide(setup), divide(setup)
     assert np.array_equal(one.points, other.points) and np.array_equal(one.corners, other.corners)
+
+
+def test_a_fine_mesh_leaves_no_wall_whole():
+    ball = pg.Object("sphere", tessellation=32)
+    wall = pg.Object("quad", transform=pg.Transform(translate=(0.0, -2.0, 0.0), size=20.0))
+    patches = divide(setup_of(ball, wall, patches=100))
+    alone = divide(setup_of(ball, patches=100))
+    of_wall = len(patches) - len(alone)
+    assert len(alone) > 100 and 50 <= of_wall <= 200
+    assert any("large ones are cut" in text for text in patches.warnings)

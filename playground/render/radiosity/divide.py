@@ -18,8 +18,8 @@ def divide(setup: Setup) -> Patches:
 
     Coplanar triangles that make a convex quad go together first. Then everything is cut evenly,
     with the same points along edges that the pieces of an object share, so that no corner lies
-    in the middle of an edge. Meshes that have more triangles already keep them, and
-    ``warnings`` says so.
+    in the middle of an edge. Where meshes have more triangles already, they keep them; what is
+    much larger than those is cut into as many patches again; ``warnings`` says so.
 
     Raises
     ------
@@ -32,13 +32,14 @@ def divide(setup: Setup) -> Patches:
     shape = outline(setup)
     warnings = list(shape.warnings)
     parts = Parts(shape)
-    edges = parts.near(wanted)
-    number, fewest = parts.patches(edges), len(shape.corners)
+    fewest = len(shape.corners)
+    edges = parts.near(wanted) if fewest <= wanted else parts.of_the_large(fewest + wanted)
+    number = parts.patches(edges)
     check_memory(number, fewest)
     if fewest > wanted:
         warnings.append(
-            f"The meshes have {fewest} pieces, more than the {wanted} patches asked for: "
-            "each is a patch. A lower tessellation gives fewer."
+            f"The meshes have {fewest} pieces, more than the {wanted} patches asked for: each is "
+            f"a patch, and large ones are cut: {number} in all. A lower tessellation gives fewer."
         )
     return _patches(setup, shape, edges, tuple(warnings))
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from playground.render.radiosity.outline import Outline
 
 Integers = NDArray[np.int64]
+LARGE = 4.0  # times the middle edge: what is longer is large beside the pieces of a fine mesh
 
 
 class Parts:
@@ -45,6 +46,12 @@ class Parts:
     def patches(self, parts: Integers) -> int:
         """How many patches that makes."""
         return int((parts[:, 0] * parts[:, 3]).sum())
+
+    def of_the_large(self, wanted: int) -> Integers:
+        """Parts of each edge, (M, 4), about ``wanted`` patches, but only much too long ones cut."""
+        coarse = LARGE * float(np.median(self.longest[self.of].max(axis=1)))
+        parts = self.cut(coarse)
+        return parts if self.patches(parts) <= wanted else self.near(wanted)
 
     def near(self, wanted: int) -> Integers:
         """Parts of each edge, (M, 4), that make about as many patches as ``wanted``."""
