@@ -38,6 +38,7 @@ _HOMES = {
     "PolygonLight": "playground.scene.light",
     "Image": "playground.render.image",
     "open_renderer": "playground.render.renderer",
+    "radiosity": "playground.render.radiosity.result",
     "compare": "playground.measure.compare",
     "PlaygroundError": "playground.errors",
 }

@@ -4,6 +4,7 @@ from playground.errors import PlaygroundError as PlaygroundError
 from playground.explain.pixel import explain as explain
 from playground.measure.compare import compare as compare
 from playground.render.image import Image as Image
+from playground.render.radiosity.result import radiosity as radiosity
 from playground.render.renderer import open_renderer as open_renderer
 from playground.render.renderer import render as render
 from playground.scene.camera import Camera as Camera

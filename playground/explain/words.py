@@ -10,6 +10,7 @@ from playground.scene.settings import TERMS
 if TYPE_CHECKING:
     from playground.explain.pixel import Explanation, LightAtPoint, ShadedPoint
     from playground.explain.ray_tree import RayTree
+    from playground.explain.stored_pixel import StoredPixel
     from playground.scene.material import Material
 
 CORNERS = "ABC"
@@ -157,7 +158,7 @@ def _material(why: Explanation) -> Material:
     return why.setup.scene.objects[why.object or 0].material
 
 
-def ending(why: Explanation | RayTree) -> list[str]:
+def ending(why: Explanation | RayTree | StoredPixel) -> list[str]:
     """What the display makes of the colour, in three lines."""
     s = why.setup.settings
     steps = [f"exposed × {s.exposure:g}"] if s.exposure != 1.0 else []

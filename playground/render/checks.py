@@ -11,7 +11,6 @@ from playground.errors import PlaygroundError, unknown_name
 from playground.scene.setup import Setup
 
 METHODS = ("raster", "ray-tracing", "radiosity", "lightmap")
-BUILT = ("raster", "ray-tracing")
 LARGEST_SIDE = 32768
 
 
@@ -26,13 +25,9 @@ def check_setup(setup: Any) -> None:
 
 
 def check_method(method: str) -> None:
-    """Raise an error for a method that is unknown or not built yet."""
+    """Raise an error for a method that is unknown."""
     if method not in METHODS:
         raise unknown_name("method", method, METHODS)
-    if method not in BUILT:
-        raise PlaygroundError(
-            "this method is not built yet", got=method, allowed=", ".join(BUILT), fix="Use raster."
-        )
 
 
 def check_size(size: Any) -> tuple[int, int]:

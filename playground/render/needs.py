@@ -33,6 +33,8 @@ class Needs:
     gate: bool = False
     attenuation: bool = False
     texture: bool = False
+    stored: bool = False
+    lightmap: bool = False
     two_sided: bool = False
     stretched: bool = False
     display: bool = False
@@ -75,6 +77,8 @@ def needs(surface: Surface, view: View, settings: Settings, display: bool = Fals
     specular = any(light.specular.any() for light in lights)
     lit = diffuse or specular
     count = Counter(light.kind for light in lights if lit)
+    stored = surface.stored
+    unlit = stored is None or surface.reflectance is None or not surface.reflectance.any()
     corners = [len(light.corners) for light in lights if light.corners is not None]
     return Needs(
         shading=settings.shading,
@@ -88,8 +92,10 @@ def needs(surface: Surface, view: View, settings: Settings, display: bool = Fals
         blinn=specular and settings.highlight == "blinn",
         gate=specular and settings.gate,
         attenuation=lit and any(light.attenuates for light in lights),
-        texture=diffuse and surface.texels is not None,
-        two_sided=lit and view.two_sided(surface),
+        texture=(diffuse or not unlit) and surface.texels is not None,
+        stored=stored is not None,
+        lightmap=stored is not None and stored.texels is not None,
+        two_sided=(lit or stored is not None) and view.two_sided(surface),
         stretched=lit and surface.stretched,
         display=display,
         exposure=display and settings.exposure != 1.0,

@@ -22,6 +22,7 @@ from playground.render.surface import Surface, surfaces
 from playground.render.view import View, view_of
 from playground.scene.settings import Settings, Shading
 from playground.scene.setup import Setup
+from playground.shading.phong import component_filter
 from playground.shading.texture import bilinear
 from playground.shading.vector import Array, turned_to_eye, unit
 
@@ -50,12 +51,16 @@ class NumpyRenderer:
         colour = np.zeros((self.size[1], self.size[0], 3))
         covered = np.zeros((self.size[1], self.size[0]))
         offsets = sample_offsets(setup.settings.samples)
+        everything = self._surfaces_of(setup)
         for offset in offsets:
-            sample, drawn = render_sample(setup, self.size, offset)
+            sample, drawn = render_sample(setup, self.size, offset, everything)
             colour += sample / len(offsets)
             covered += drawn / len(offsets)
         image = Image(colour.astype(np.float32), covered.astype(np.float32), setup, self.name)
         return image if out is None else image.into(out)
+
+    def _surfaces_of(self, setup: Setup) -> tuple[Surface, ...]:
+        return surfaces(setup.scene, setup.settings.weights)
 
     def samples(self, setup: Setup) -> int:
         """As many samples per pixel as ``setup`` asks for."""
@@ -84,10 +89,17 @@ def sample_offsets(samples: int) -> list[tuple[float, float]]:
 
 
 def render_sample(
-    setup: Setup, size: tuple[int, int], offset: tuple[float, float] = (0.5, 0.5)
+    setup: Setup,
+    size: tuple[int, int],
+    offset: tuple[float, float] = (0.5, 0.5),
+    everything: tuple[Surface, ...] | None = None,
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Linear colour (H, W, 3) and coverage (H, W) at one sample position per pixel."""
-    everything = surfaces(setup.scene, setup.settings.weights)
+    """Linear colour (H, W, 3) and coverage (H, W) at one sample position per pixel.
+
+    ``everything`` are the surfaces to draw, if not those that follow from the setup.
+    """
+    if everything is None:
+        everything = surfaces(setup.scene, setup.settings.weights)
     view = view_of(setup.camera, everything, size)
     frame = visibility(everything, view, size, offset)
     colour = np.empty((size[1], size[0], 3))
@@ -217,7 +229,12 @@ def _pixel_colours(
         (diffuse_front, rest_front), (diffuse_back, rest_back) = before
         diffuse = to_type(np.where(front, pick(diffuse_front), pick(diffuse_back)), dtype)
         rest = to_type(np.where(front, pick(rest_front), pick(rest_back)), dtype)
+    stored = surface.stored
+    if stored is not None and surface.reflectance is not None:
+        light = to_type(stored.at(interpolate), dtype)
+        diffuse = component_filter(light, to_type(surface.reflectance, dtype))
     if surface.texels is not None and mesh.texcoords is not None:
         texel = bilinear(surface.texels, interpolate(mesh.texcoords))
         diffuse = diffuse * to_type(texel, dtype)
-    return diffuse + rest
+    colour = diffuse + rest
+    return colour if stored is None else np.where(front, colour, 0.0)  # backs get nothing

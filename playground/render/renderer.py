@@ -6,7 +6,7 @@ headless; ``numpy`` is the float64 reference and works everywhere.
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from numpy.typing import NDArray
 
@@ -15,6 +15,10 @@ from playground.render.checks import check_method, check_setup, check_size
 from playground.render.image import Image
 from playground.scene.setup import Setup
 
+if TYPE_CHECKING:
+    from playground.render.stored_renderer import LightSource
+
+STORED = ("radiosity", "lightmap")  # methods that draw light computed before
 RENDERERS = ("auto", "gl", "numpy", "embree")
 
 
@@ -61,7 +65,8 @@ def open_renderer(
     ``renderer`` is ``"gl"``, ``"numpy"``, or ``"auto"``: gl where a driver is found (its
     ``.name`` says which it took); for ray tracing also ``"embree"``, NumPy with meshes left to
     the package embreex. ``context`` is a window's moderngl context. ``method`` is
-    ``"raster"`` or ``"ray-tracing"``.
+    ``"raster"``, ``"ray-tracing"``, ``"radiosity"``, solved when the first picture asks for it, or
+    ``"lightmap"``, the light of the file that the scene names.
 
     Raises
     ------
@@ -74,22 +79,15 @@ def open_renderer(
         raise unknown_name("renderer", renderer, RENDERERS)
     if renderer == "embree":
         return _open_embree(size, method)
-    traced = method == "ray-tracing"
     if renderer != "numpy":
         from playground.render.gl.context import NoDriverError
 
         try:
-            return _open_gl(size, context, traced)
+            return _open_gl(size, context, method)
         except NoDriverError:
             if renderer == "gl":
                 raise
-    if traced:
-        from playground.render.trace.tracer import NumpyTracer
-
-        return NumpyTracer(size)
-    from playground.render.numpy_renderer import NumpyRenderer
-
-    return NumpyRenderer(size)
+    return _open_numpy(size, method)
 
 
 def _open_embree(size: tuple[int, int], method: str) -> Renderer:
@@ -104,14 +102,45 @@ def _open_embree(size: tuple[int, int], method: str) -> Renderer:
     return EmbreeTracer(size)
 
 
-def _open_gl(size: tuple[int, int], context: Any, traced: bool) -> Renderer:
-    if traced:
+def _open_gl(size: tuple[int, int], context: Any, method: str) -> Renderer:
+    if method == "ray-tracing":
         from playground.render.gl.trace.tracer import GLTracer
 
         return GLTracer(size, context)
+    if method in STORED:
+        from playground.render.gl.context import headless
+        from playground.render.gl.stored import GLStored
+
+        context = context or headless()
+        return GLStored(size, light_of(method, "auto", context), context)
     from playground.render.gl.renderer import GLRenderer
 
     return GLRenderer(size, context)
+
+
+def _open_numpy(size: tuple[int, int], method: str) -> Renderer:
+    if method == "ray-tracing":
+        from playground.render.trace.tracer import NumpyTracer
+
+        return NumpyTracer(size)
+    if method in STORED:
+        from playground.render.stored_renderer import NumpyStored
+
+        return NumpyStored(size, light_of(method, "numpy"))
+    from playground.render.numpy_renderer import NumpyRenderer
+
+    return NumpyRenderer(size)
+
+
+def light_of(method: str, renderer: str = "auto", context: Any = None) -> LightSource:
+    """Where a method of `STORED` has its light from."""
+    if method == "lightmap":
+        from playground.render.lightmap.light_source import LightmapLight
+
+        return LightmapLight()
+    from playground.render.radiosity.light_source import RadiosityLight
+
+    return RadiosityLight(renderer, context)
 
 
 def render(
@@ -128,8 +157,7 @@ def render(
     size : (int, int)
         Width and height in pixels.
     renderer : {"auto", "gl", "numpy", "embree"}
-    method : {"raster", "ray-tracing"}
-        Radiosity and lightmaps are named in the plan and not there yet.
+    method : {"raster", "ray-tracing", "radiosity", "lightmap"}
 
     Raises
     ------

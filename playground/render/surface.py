@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 from math import radians
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +22,9 @@ from playground.scene.scene import Object, Scene
 from playground.shading.light import cone
 from playground.shading.phong import ambient_term, component_filter, emissive_term, weighted_sum
 from playground.shading.vector import normal_matrix, orientation, unit
+
+if TYPE_CHECKING:
+    from playground.render.stored import StoredLight
 
 Array = NDArray[np.float64]
 NO_ATTENUATION = (1.0, 0.0, 0.0)
@@ -71,6 +75,8 @@ class Surface:
     lights: tuple[SurfaceLight, ...]
     texels: NDArray[np.float32] | None
     emitter: int | None = None  # which light this is a side of
+    stored: StoredLight | None = None  # the light that arrives, where it was computed before
+    reflectance: Array | None = None  # (3,): w_d m_d, which stored light is multiplied by
 
 
 def surfaces(scene: Scene, weights: dict[str, float]) -> tuple[Surface, ...]:

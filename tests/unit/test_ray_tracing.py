@@ -60,8 +60,6 @@ def test_renderer_names():
         assert opened.name == "numpy" or opened.name.startswith("gl")
     with pytest.raises(pg.PlaygroundError, match="unknown method"):
         pg.open_renderer(SIZE, "numpy", method="rays")
-    with pytest.raises(pg.PlaygroundError, match="not built yet"):
-        pg.open_renderer(SIZE, "numpy", method="radiosity")
 
 
 def test_the_tracer_writes_into_arrays():

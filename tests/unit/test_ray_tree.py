@@ -193,6 +193,6 @@ def test_the_command_line_tells_the_tree(capsys):
     assert told["depth"] == 2 and told["root"]["name"] == "object 7 (sphere)"
     assert main([*words, "--method", "ray-tracing"]) == 0
     assert "which is the rendered pixel" in capsys.readouterr().out
-    assert main([*words, "--method", "radiosity"]) == 2
-    assert "not built yet" in capsys.readouterr().err
+    assert main([*words, "--method", "photons"]) == 2
+    assert "unknown method" in capsys.readouterr().err
     assert main(["explain", "sphere", "--pixel", "99", "0", "--size", "32x24"]) == 2

@@ -190,8 +190,10 @@ def test_what_render_refuses():
         pg.render("teapot")
     with pytest.raises(pg.PlaygroundError, match="auto, embree, gl, numpy"):
         pg.render(pg.load("sphere"), renderer="cuda")
-    with pytest.raises(pg.PlaygroundError, match="not built yet"):
-        pg.render(pg.load("sphere"), method="radiosity")
+    with pytest.raises(pg.PlaygroundError, match="lightmap, radiosity, raster, ray-tracing"):
+        pg.render(pg.load("sphere"), method="photons")
+    with pytest.raises(pg.PlaygroundError, match="playground bake"):
+        pg.render(pg.load("sphere"), method="lightmap")
 
 
 @pytest.mark.parametrize("suffix", ["npy", "exr"])

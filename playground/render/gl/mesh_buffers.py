@@ -22,17 +22,28 @@ SMALL = 20_000  # triangles; below, drawing all of them is as fast as choosing
 class MeshBuffers:
     """The vertex and index buffers of one mesh, and its clusters if it is large.
 
-    ``flat`` asks for the layout of flat shading, ``texture`` for texture coordinates.
+    ``flat`` asks for the layout of flat shading, ``texture`` for texture coordinates, and
+    ``more`` holds further numbers per vertex by their names in the shader.
     """
 
-    def __init__(self, context: moderngl.Context, mesh: Mesh, flat: bool, texture: bool) -> None:
+    def __init__(
+        self,
+        context: moderngl.Context,
+        mesh: Mesh,
+        flat: bool,
+        texture: bool,
+        more: Columns | None = None,
+    ) -> None:
         self._context = context
         self.clusters: Clusters | None = None
-        texcoords = mesh.texcoords if texture else None
+        more = dict(more or {})
+        if texture and mesh.texcoords is not None:
+            more["object_texcoord"] = mesh.texcoords
         if flat:
-            columns, faces = _flat_layout(mesh, texcoords)
+            columns, faces = _flat_layout(mesh, more)
         else:
-            columns, faces = _smooth_layout(mesh, texcoords)
+            columns = {"object_position": mesh.positions, "object_normal": mesh.normals, **more}
+            faces = mesh.faces
             if len(faces) >= SMALL:
                 self.clusters = build_clusters(mesh.positions, faces)
                 order, faces = self.clusters.vertex_order, self.clusters.faces
@@ -58,18 +69,7 @@ class MeshBuffers:
         self.indices.release()
 
 
-def _smooth_layout(
-    mesh: Mesh, texcoords: NDArray[np.float32] | None
-) -> tuple[Columns, NDArray[np.int32]]:
-    columns = {"object_position": mesh.positions, "object_normal": mesh.normals}
-    if texcoords is not None:
-        columns["object_texcoord"] = texcoords
-    return columns, mesh.faces
-
-
-def _flat_layout(
-    mesh: Mesh, texcoords: NDArray[np.float32] | None
-) -> tuple[Columns, NDArray[np.int32]]:
+def _flat_layout(mesh: Mesh, more: Columns) -> tuple[Columns, NDArray[np.int32]]:
     """One vertex per triangle, its last one (the provoking vertex), carries centre and normal.
 
     The other two corners are borrowed from whichever triangle has a vertex there.
@@ -87,10 +87,9 @@ def _flat_layout(
     faces[:, 2] = np.arange(count)
     padding = np.zeros((len(orphans), 3))
     columns = {
+        **{name: column[vertex] for name, column in more.items()},
         "object_position": mesh.positions[vertex],
         "triangle_centre": np.concatenate([mesh.triangle_centres, padding]).astype(np.float32),
         "triangle_normal": np.concatenate([mesh.triangle_normals, padding]).astype(np.float32),
     }
-    if texcoords is not None:
-        columns["object_texcoord"] = texcoords[vertex]
     return columns, faces

@@ -66,7 +66,7 @@ def call(
     arguments : arrays of shape (N,) or (N, k)
         One per ``in`` parameter; single values are repeated. An array parameter, such as
         the (K, 3) corners of a polygon, and a ``bool`` are the same for all rows.
-    texels : (H, W, 3) float32, optional
+    texels : (H, W, 3) or (H, W, 4) float32, optional
         What a ``sampler2D`` parameter reads.
     constant : int, optional
         What a ``const int`` parameter is compiled with.
@@ -128,7 +128,7 @@ def _run(
     """Bind what the program kept of its inputs, run it once per row, read it back, let it go."""
     import moderngl
 
-    rows, number = next((len(c), c.dtype) for c in columns.values())
+    rows, number = next(((len(c), c.dtype) for c in columns.values()), (1, np.dtype(np.float32)))
     content: Any = [
         (context.buffer(column.tobytes()), f"{column.shape[1]}f{number.itemsize}", name)
         for name, column in columns.items()
@@ -137,7 +137,10 @@ def _run(
     textures = []
     if texels is not None:
         size = (texels.shape[1], texels.shape[0])
-        textures = [context.texture(size, 3, np.ascontiguousarray(texels).tobytes(), dtype="f4")]
+        channels = texels.shape[2]
+        textures = [
+            context.texture(size, channels, np.ascontiguousarray(texels).tobytes(), dtype="f4")
+        ]
         textures[0].use(0)
     buffer = context.buffer(reserve=number.itemsize * rows * width)
     rest(context)
@@ -193,7 +196,7 @@ def _columns(
         np.asarray(a, dtype=dtype).reshape(-1, width)
         for a, width in zip(arguments, widths, strict=True)
     ]
-    rows = max(len(array) for array in shaped)
+    rows = max((len(array) for array in shaped), default=1)
     return [
         np.ascontiguousarray(np.broadcast_to(array, (rows, array.shape[1]))) for array in shaped
     ]

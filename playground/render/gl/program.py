@@ -22,6 +22,8 @@ STAGES = {
     "per-vertex": ("gouraud.vert", "colour.frag"),
     "flat": ("flat.vert", "colour.frag"),
 }
+STORED = ("stored.vert", "stored.frag")  # for every shading
+SAMPLERS = {"lightmap_texels": 1}  # texture units; those not named here are 0
 LARGEST_WHOLE = 32  # exponents up to here are cheaper by squaring, and off by 2e-6 at most
 BRIGHTEST_IN = {"float16": "65504.0", "float64": f"{BRIGHTEST}lf"}
 INTERPOLATION = {"per-fragment": "smooth", "per-vertex": "smooth", "flat": "flat"}
@@ -46,6 +48,8 @@ class Program:
         self.attributes = {n for n, m in members.items() if isinstance(m, moderngl.Attribute)}
         self._uniforms = {n: m for n, m in members.items() if isinstance(m, moderngl.Uniform)}
         self._arrays: dict[int, tuple[MeshBuffers, moderngl.VertexArray]] = {}
+        for name in SAMPLERS.keys() & self._uniforms.keys():
+            self._uniforms[name].value = SAMPLERS[name]
 
     def write(self, values: Mapping[str, Any]) -> None:
         """Upload values as the program's numbers, matrices as NumPy writes them, row by row.
@@ -125,6 +129,11 @@ def check_lights(context: moderngl.Context, needs: Needs) -> None:
         )
 
 
+def stages(needs: Needs) -> tuple[str, str]:
+    """The files of the vertex and the fragment stage."""
+    return STORED if needs.stored else STAGES[needs.shading]
+
+
 def sources_for(
     needs: Needs,
     constants: Mapping[str, Any] | None = None,
@@ -136,6 +145,9 @@ def sources_for(
     """
     defines: dict[str, object] = {**needs.defines, "BRIGHTEST": BRIGHTEST}
     defines["INTERPOLATION"] = INTERPOLATION[needs.shading]
+    if needs.stored:
+        defines["PER_FRAGMENT"] = needs.shading == "per-fragment"
+        defines["FLAT"] = needs.shading == "flat"
     if needs.marks:
         kind = np.float16 if needs.precision == "float16" else np.float32
         defines["SMALLEST_NORMAL"] = f"{np.finfo(kind).tiny:.8e}"
@@ -145,8 +157,7 @@ def sources_for(
     if constants and float(constants["shininess"]) in range(1, LARGEST_WHOLE + 1):
         defines["WHOLE_EXPONENT"] = int(constants["shininess"])
     vertex, fragment = (
-        assemble(stage, defines, bugs=needs.bugs, overrides=overrides)
-        for stage in STAGES[needs.shading]
+        assemble(stage, defines, bugs=needs.bugs, overrides=overrides) for stage in stages(needs)
     )
     return bake(vertex, constants or {}), bake(fragment, constants or {})
 
@@ -158,14 +169,14 @@ def _in_precision(
 
     defines["BRIGHTEST"] = BRIGHTEST_IN[needs.precision]
     libraries = (LIBRARIES[needs.precision], SHARED)
-    stages = []
-    for stage in STAGES[needs.shading]:
+    made = []
+    for stage in stages(needs):
         if stage == "phong.vert":  # hands positions and normals on, and shades nothing
-            stages.append(assemble(stage, defines, bugs=needs.bugs, overrides=overrides))
+            made.append(assemble(stage, defines, bugs=needs.bugs, overrides=overrides))
             continue
         source = assemble(stage, defines, "", needs.bugs, overrides, libraries)
-        stages.append(in_precision(source, needs.precision, overrides))
-    return stages[0], stages[1]
+        made.append(in_precision(source, needs.precision, overrides))
+    return made[0], made[1]
 
 
 def explain(log: str, sources: tuple[Source, ...]) -> str:

@@ -14,7 +14,7 @@ from playground.render.gl import context as gl_context
 from playground.render.gl.clusters import frustum_planes, visible_runs
 from playground.render.gl.edited import Edited
 from playground.render.gl.mesh_buffers import MeshBuffers
-from playground.render.gl.program import Program, check_lights, check_precision
+from playground.render.gl.program import SAMPLERS, Program, check_lights, check_precision
 from playground.render.gl.target import Target
 from playground.render.gl.uniforms import surface_uniforms, view_uniforms
 from playground.render.image import Image
@@ -49,7 +49,7 @@ class GLRenderer:
         self._edited = Edited()
         self._programs: dict[Needs, Program] = {}
         self._baked: dict[tuple[Needs, int], Program] = {}
-        self._meshes: dict[tuple[int, bool, bool], tuple[object, MeshBuffers]] = {}
+        self._meshes: dict[tuple[int, int, bool, bool], tuple[object, MeshBuffers]] = {}
         self._textures: dict[int, tuple[object, moderngl.Texture]] = {}
         self._targets: dict[tuple[str, int], Target] = {}
         self._drawn: tuple[Scene | None, Settings | None] = (None, None)
@@ -111,7 +111,7 @@ class GLRenderer:
 
     def draw(self, setup: Setup, target: Target) -> None:
         """Draw ``setup`` into ``target`` and leave it on the GPU."""
-        self._notice(setup.scene, setup.settings)
+        self._notice(setup)
         view = view_of(setup.camera, self._surfaces, self.size)
         target.begin(_background(setup, target.dtype == "f1"))
         for number, surface in enumerate(self._surfaces):
@@ -119,12 +119,17 @@ class GLRenderer:
             program = self._program(wanted, number, surface, setup.settings)
             self._draw_surface(surface, view, wanted, program)
 
-    def _notice(self, scene: Scene, settings: Settings) -> None:
+    def _surfaces_of(self, setup: Setup) -> tuple[Surface, ...]:
+        """What is drawn of ``setup``: asked anew when the scene or the settings have changed."""
+        return surfaces(setup.scene, setup.settings.weights)
+
+    def _notice(self, setup: Setup) -> None:
         """Prepare the surfaces anew unless only the camera has moved."""
+        scene, settings = setup.scene, setup.settings
         if self._drawn[0] is scene and self._drawn[1] is settings:
             self._frames += 1
             return
-        self._surfaces = surfaces(scene, settings.weights)
+        self._surfaces = self._surfaces_of(setup)
         self._drawn, self._frames = (scene, settings), 0
         for program in self._baked.values():
             program.release()
@@ -133,13 +138,14 @@ class GLRenderer:
 
     def _forget(self) -> None:
         """Free meshes and textures of earlier scenes beyond `KEPT` of each."""
-        meshes = {id(surface.mesh) for surface in self._surfaces}
-        for key in [key for key in self._meshes if key[0] not in meshes][:-KEPT]:
+        meshes = {(id(surface.mesh), id(surface.stored)) for surface in self._surfaces}
+        for key in [key for key in self._meshes if key[:2] not in meshes][:-KEPT]:
             buffers = self._meshes.pop(key)[1]
             for program in self._programs.values():
                 program.forget(buffers)
             buffers.release()
         texels = {id(surface.texels) for surface in self._surfaces}
+        texels |= {id(surface.stored.texels) for surface in self._surfaces if surface.stored}
         for number in [number for number in self._textures if number not in texels][:-KEPT]:
             self._textures.pop(number)[1].release()
 
@@ -150,6 +156,8 @@ class GLRenderer:
         program.write(values)
         if wanted.texture and surface.texels is not None:
             self._texture(surface.texels).use(0)
+        if surface.stored is not None and surface.stored.texels is not None:
+            self._texture(surface.stored.texels).use(SAMPLERS["lightmap_texels"])
 
         # The picture is drawn upside down, which turns every winding around.
         cull = not view.two_sided(surface)
@@ -182,10 +190,12 @@ class GLRenderer:
 
     def _mesh(self, surface: Surface, wanted: Needs) -> MeshBuffers:
         flat = wanted.shading == "flat"
-        key = (id(surface.mesh), flat, wanted.texture)
+        mesh, stored = surface.mesh, surface.stored
+        key = (id(mesh), id(stored), flat, wanted.texture)
         if key not in self._meshes:
-            buffers = MeshBuffers(self._context, surface.mesh, flat, wanted.texture)
-            self._meshes[key] = (surface.mesh, buffers)
+            columns = stored.columns if stored is not None else None
+            buffers = MeshBuffers(self._context, mesh, flat, wanted.texture, columns)
+            self._meshes[key] = ((mesh, stored), buffers)
         return self._meshes[key][1]
 
     def _texture(self, texels: NDArray[np.float32]) -> moderngl.Texture:

@@ -58,6 +58,8 @@ def surface_uniforms(surface: Surface, settings: Settings) -> dict[str, Any]:
         "shininess": surface.shininess,
         "exposure": settings.exposure,
     }
+    if surface.stored is not None:
+        values["stored_reflectance"] = surface.reflectance
     for kind in {light.kind for light in surface.lights}:
         lights = [light for light in surface.lights if light.kind == kind]
         values[f"{kind}_diffuse"] = np.array([light.diffuse for light in lights])
