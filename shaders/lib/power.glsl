@@ -16,6 +16,11 @@ float log2_near_one(float x, float gap) {
     return float(exponent) + s * (2.885390080 + z * (0.9617988469 + z * (0.5767144407 + z * 0.4317349065)));
 }
 
+// log(1 + t), t > −1, without adding 1 where t is small.
+float log_one_more(float t) {
+    return 0.693147181 * log2_near_one(1.0 + t, -t);
+}
+
 // max(base, 0)^exponent for exponent >= 0; anything to the power 0 is 1.
 float power(float base, float exponent) {
     float value = exp2(exponent * log2_near_one(base, 1.0 - base));

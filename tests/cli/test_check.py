@@ -23,7 +23,7 @@ def written(folder, entries, name="cases.json"):
 def test_all_cases_for_a_person():
     said = ok("check", CASES).stdout
     assert "phong_lobe                      14      14       0" in said
-    assert "24 not checked: no form factors yet" in said
+    assert "7 not checked: a torus is a mesh here" in said
     assert said.splitlines()[-1].startswith("427 cases (numpy): ")
 
 
@@ -35,9 +35,9 @@ def test_one_json_document(gl, backend):
     lobe = document["systems"]["phong_lobe"]
     assert (lobe["cases"], lobe["passed"], lobe["failed"], lobe["unsupported"]) == (14, 14, 0, 0)
     assert 0.0 <= lobe["worst"] <= 1.0
-    pairs = document["systems"]["form_factor_pair"]
-    assert pairs["unsupported"] == 24 and pairs["worst"] is None
-    assert len(pairs["reasons"]["no form factors yet"]) == 24
+    torus = document["systems"]["ray_torus"]
+    assert torus["unsupported"] == 7 and torus["worst"] is None
+    assert list(map(len, torus["reasons"].values())) == [7]
 
 
 def test_only_the_systems_asked_for():

@@ -35,6 +35,11 @@ NUMPY_ALONE = {
         "bounces_until": "a count of up to millions, which float32 cannot hold",
     },
     "light": {"cone": "needed once per light, computed on the CPU"},
+    "flat_polygon": {
+        "heights": "height_over, all corners at once",
+        "clip_front": "cut_front, all edges at once",
+        "quad_points": "GLSL goes from point to point",
+    },
     "display": {
         "display_colour": "present.glsl strings the same steps together, specialised",
         "code8": "the 8-bit target does it",
@@ -52,6 +57,31 @@ GLSL_ALONE = {
         "sighted": "NumPy takes all corners at once",
         "cut_edge": "cut_edges, one edge at a time",
     },
+    "form_factor": {
+        "size_of": "NumPy has frexp",
+        "cosines_between": "a part of point_to_point and point_to_disc",
+    },
+    "flat_polygon": {
+        "height_over": "heights, one corner at a time",
+        "cut_front": "clip_front, one edge at a time",
+    },
+    "edge_log": {
+        "log_squared": "NumPy has log",
+        "mean_log_risen": "what float32 needs for nearly flat neighbours, float64 does not",
+        "parallel_part": "a part of parallel_logs",
+        "parallel_gain": "a part of parallel_logs_risen",
+        "parallel_logs_risen": "what float32 needs for nearly flat neighbours",
+    },
+    "edge_pair": {
+        "graded_logs": "a part of edge_logs",
+        "edge_logs_over": "what float32 needs for nearly flat neighbours",
+    },
+    "polygon_pair": {
+        "seen_from_points": "a part of exchange_area",
+        "beside": "a part of exchange_area that only float32 needs",
+        "seen_along_edges": "a part of exchange_area",
+        "perimeter": "a part of exchange_area that only float32 needs",
+    },
     "area_light": {
         "small_lobe": "a part of the lobe's integral",
         "lobe_edge": "a part of the lobe's integral",
@@ -59,6 +89,7 @@ GLSL_ALONE = {
     },
     "power": {
         "log2_near_one": "NumPy has log1p",
+        "log_one_more": "NumPy has log1p",
         "power_below_one_whole": "a faster way to power_below_one, tested against that",
     },
 }

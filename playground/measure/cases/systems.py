@@ -6,7 +6,18 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from playground.measure.cases import display, hemicube, light, lightmap, place, raster, rays, shading
+from playground.measure.cases import (
+    display,
+    form_factor,
+    hemicube,
+    light,
+    lightmap,
+    place,
+    radiosity,
+    raster,
+    rays,
+    shading,
+)
 
 Solve = Callable[[dict[str, Any], Any], dict[str, Any]]
 
@@ -61,18 +72,17 @@ SYSTEMS: dict[str, System] = {
         missing="depth runs from -w to w as OpenGL has it, where reversing gains no digit"
     ),
     **_waiting("a torus is a mesh here: no ray meets its equation", "ray_torus"),
-    **_waiting(
-        "no form factors yet",
-        "form_factor_kernel",
-        "form_factor_discs",
-        "form_factor_element_disc",
-        "form_factor_element_sphere",
-        "form_factor_sphere_rect",
-        "form_factor_inside_sphere",
-        "form_factor_concentric",
-        "form_factor_strips",
-        "form_factor_box",
-        "form_factor_pair",
-    ),
-    **_waiting("no radiosity yet", "radiosity_furnace", "radiosity_solve", "radiosity_enclosure"),
+    "form_factor_kernel": System(form_factor.kernel),
+    "form_factor_discs": System(form_factor.discs),
+    "form_factor_element_disc": System(form_factor.element_disc),
+    "form_factor_element_sphere": System(form_factor.element_sphere),
+    "form_factor_sphere_rect": System(form_factor.sphere_rectangle),
+    "form_factor_inside_sphere": System(form_factor.inside_sphere),
+    "form_factor_concentric": System(form_factor.concentric),
+    "form_factor_strips": System(form_factor.strips),
+    "form_factor_box": System(form_factor.box),
+    "form_factor_pair": System(form_factor.pair),
+    "radiosity_furnace": System(radiosity.furnace),
+    "radiosity_solve": System(radiosity.solve, cpu=True),
+    "radiosity_enclosure": System(radiosity.enclosure),
 }
