@@ -4,6 +4,7 @@
     python3 run.py                the window; without a display, the same view as a picture
     python3 run.py ARGS...        the command "playground ARGS..."
     python3 run.py test ARGS...   the whole check: ruff, mypy and "pytest ARGS..."
+    python3 run.py docs           the API reference, from the docstrings, as pages in out/api
 
 The packages go into the folder .venv beside this file, at the first start and whenever
 pyproject.toml has changed; any other start only looks at the stamp that was left there.
@@ -32,6 +33,7 @@ PYTHON = ENVIRONMENT / ("Scripts/python.exe" if os.name == "nt" else "bin/python
 STAMP = ENVIRONMENT / "run.stamp"
 UNFINISHED = "unfinished"
 VENV_PACKAGE = f"python3.{sys.version_info.minor}-venv"
+PDOC = ("--docformat", "numpy", "--math")
 CHECKS = (["ruff", "check", "."], ["ruff", "format", "--check", "."], ["mypy"])
 
 
@@ -41,10 +43,10 @@ class Stop(Exception):  # noqa: N818, it is a decision rather than an error
 
 def main(arguments: list[str]) -> int:
     """Set up what is missing, then run what the arguments ask for; returns the exit status."""
-    testing = arguments[:1] == ["test"]
+    task = {"test": check, "docs": docs}.get(arguments[0]) if arguments else None
     try:
-        prepare("test" if testing else "")
-        return check(arguments[1:]) if testing else start(arguments)
+        prepare("test" if task else "")
+        return task(arguments[1:]) if task else start(arguments)
     except (Stop, OSError) as reason:
         say(f"run.py: {reason}")
         return 2
@@ -70,6 +72,25 @@ def check(arguments: list[str]) -> int:
             failed.append(command[0])
     say(f"--- failed: {', '.join(failed)}" if failed else "--- all checks passed")
     return int(bool(failed))
+
+
+def docs(arguments: list[str]) -> int:
+    """Write the API reference."""
+    command = [
+        str(PYTHON),
+        "-W",
+        "ignore",
+        "-m",
+        "pdoc",
+        *PDOC,
+        "-o",
+        str(ROOT / "out" / "api"),
+        *arguments,
+    ]
+    status = subprocess.call([*command, "playground", "!playground.gui"], cwd=ROOT)
+    if status == 0:
+        say("open out/api/playground.html")
+    return status
 
 
 def prepare(extra: str) -> None:

@@ -201,6 +201,7 @@ def test_failure_tells_the_end_of_the_output(run):
         (["render", "teapot"], "", ("start", ["render", "teapot"])),
         (["test"], "test", ("check", [])),
         (["test", "-k", "phong"], "test", ("check", ["-k", "phong"])),
+        (["docs"], "test", ("docs", [])),
         (["render", "test"], "", ("start", ["render", "test"])),
     ],
 )
@@ -209,6 +210,7 @@ def test_arguments_go_where_they_belong(run, monkeypatch, arguments, extra, then
     monkeypatch.setattr(run, "prepare", calls.append)
     monkeypatch.setattr(run, "start", lambda words: calls.append(("start", words)) or 7)
     monkeypatch.setattr(run, "check", lambda words: calls.append(("check", words)) or 7)
+    monkeypatch.setattr(run, "docs", lambda words: calls.append(("docs", words)) or 7)
     assert run.main(arguments) == 7
     assert calls == [extra, then]
 
@@ -254,3 +256,26 @@ def test_main_ends_in_words(run, monkeypatch, capsys, raised, status, said):
     monkeypatch.setattr(run, "prepare", prepare)
     assert run.main([]) == status
     assert said in capsys.readouterr().err
+
+
+@pytest.mark.filterwarnings("ignore")  # pdoc's, of annotations it cannot read
+def test_every_public_name_is_in_the_reference():
+    """What pdoc will show: each name, with a text."""
+    from pdoc.doc import Module
+
+    import playground
+
+    names = {member.name: member for member in Module(playground).own_members}
+    packages = {"explain", "render", "shading"}  # pages of their own
+    assert set(names) == set(playground.__all__) - packages
+    assert all((getattr(playground, name).__doc__ or "").strip() for name in names)
+    pages = {page.name: page for page in Module(playground).submodules}
+    assert packages <= set(pages)
+
+
+def test_docs_asks_pdoc(made, monkeypatch, capsys):
+    calls = []
+    monkeypatch.setattr(subprocess, "call", lambda command, cwd: calls.append(command) or 0)
+    assert made.docs([]) == 0
+    assert calls[0][3:5] == ["-m", "pdoc"] and "playground" in calls[0]
+    assert "playground.html" in capsys.readouterr().err
