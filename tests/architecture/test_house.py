@@ -166,7 +166,23 @@ def test_a_new_light_touches_three_files():
 
 
 def test_no_sentence_about_the_place_where_it_was_made():
-    for path in [*FILES, *SHADERS, *ROOT.glob("*.md"), *ROOT.glob("lessons/**/*"), *ROOT.glob("*.py")]:
+    for path in [
+        *FILES,
+        *SHADERS,
+        *ROOT.glob("*.md"),
+        *ROOT.glob("lessons/**/*"),
+        *ROOT.glob("*.py"),
+    ]:
         if path.is_file():
             text = path.read_text(encoding="utf-8")
             assert not re.search(r"(?<![\w./])/(work|root|farm)/", text), path
+
+
+def test_links_of_the_documents_lead_somewhere():
+    broken = [
+        f"{page.name}: {target}"
+        for page in ROOT.glob("*.md")
+        for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8"))
+        if not (ROOT / target).exists()
+    ]
+    assert not broken
