@@ -24,7 +24,9 @@ if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 PROGRAM = "playground"
-COMMANDS = ("render", "compare", "explain", "measure", "check", "doctor")
+COMMANDS = ("render", "compare", "explain", "measure", "check", "bake", "lesson", "doctor")
+METHODS = "raster, ray-tracing, radiosity or lightmap"
+TO = "radiosity: a second pixel; tells the form factors of the two patches"
 TOO_LARGE = PlaygroundError(
     "the picture, or the model, is too large for this machine's memory",
     fix="Choose a smaller --size.",
@@ -37,7 +39,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if isinstance(sys.stdout, io.TextIOWrapper):  # no terminal is too poor for a ρ
         sys.stdout.reconfigure(errors="replace")
     try:
-        if not words or (words[0] not in COMMANDS and not words[0].startswith("-")):
+        first = words[0] if words else "--lesson"
+        if first not in COMMANDS and (first[:1] != "-" or first.startswith("--lesson")):
             words = ["window", *words]
         if words[:2] == ["measure", "needs"]:  # a command of its own: it takes a setup
             words = words[1:]
@@ -94,6 +97,8 @@ def _parser(arguments: Sequence[str] = ()) -> argparse.ArgumentParser:
         _add_measure,
         _add_needs,
         _add_check,
+        _add_bake,
+        _add_lesson,
         _add_doctor,
     ):
         add(subparsers)
@@ -103,6 +108,7 @@ def _parser(arguments: Sequence[str] = ()) -> argparse.ArgumentParser:
 def _add_window(subparsers: Subparsers) -> None:
     window = subparsers.add_parser("window", help="the window; without a display, a picture")
     window.add_argument("setup", nargs="?", metavar="SETUP")
+    window.add_argument("--lesson", metavar="N", help="opens a lesson: its number, or a path")
     _setup_options(window)
     window.set_defaults(run=commands.window)
 
@@ -112,7 +118,7 @@ def _add_render(subparsers: Subparsers) -> None:
     render.add_argument("setup", metavar="SETUP")
     render.add_argument("-o", "--output", type=Path, required=True, help=".png, .exr or .npy")
     render.add_argument("--sheet", help="a figure: terms, shininess, shading; depth, tests")
-    render.add_argument("--method", default="raster", help="raster or ray-tracing")
+    render.add_argument("--method", default="raster", help=METHODS)
     render.add_argument("--depth", help="ray tracing: bounces followed, 5 unless given")
     render.add_argument("--samples", help="samples per pixel: 1 to 16")
     _picture_options(render)
@@ -125,6 +131,7 @@ def _add_compare(subparsers: Subparsers) -> None:
     compare.add_argument("b", metavar="B", help="a picture or a setup")
     compare.add_argument("-o", "--output", type=Path, help="the difference in false colours")
     compare.add_argument("--json", action="store_true", help="one JSON document, nothing else")
+    compare.add_argument("--method", default="raster", help=f"of setups: {METHODS}")
     compare.add_argument(
         "--tolerance", type=_tolerance, help="status 1 if the largest difference exceeds"
     )
@@ -138,7 +145,8 @@ def _add_explain(subparsers: Subparsers) -> None:
     explain.add_argument("--pixel", nargs=2, type=int, required=True, metavar=("X", "Y"))
     explain.add_argument("--json", action="store_true", help="one JSON document, nothing else")
     explain.add_argument("--latex", action="store_true", help="the equation as LaTeX")
-    explain.add_argument("--method", default="raster", help="raster or ray-tracing: the ray tree")
+    explain.add_argument("--method", default="raster", help=METHODS)
+    explain.add_argument("--to", nargs=2, type=int, metavar=("X", "Y"), help=TO)
     explain.add_argument("--depth", help="ray tracing: bounces followed, 5 unless given")
     _picture_options(explain)
     explain.set_defaults(run=commands.explain)
@@ -191,6 +199,29 @@ def _add_check(subparsers: Subparsers) -> None:
     )
     check.add_argument("--json", action="store_true", help="one JSON document, nothing else")
     check.set_defaults(run=commands.check)
+
+
+def _add_bake(subparsers: Subparsers) -> None:
+    bake = subparsers.add_parser("bake", help="radiosity into a lightmap, and a setup that uses it")
+    bake.add_argument("setup", metavar="SETUP")
+    bake.add_argument("-o", "--output", type=Path, required=True, help="the setup: .toml")
+    bake.add_argument("--texels", type=int, default=256, help="along an edge, 256 unless given")
+    bake.add_argument(
+        "--rays", type=int, default=256, help="per texel, 256 unless given; 0: light as of patches"
+    )
+    bake.add_argument("--renderer", default="auto", help="of form factors: auto, gl or numpy")
+    _setup_options(bake)
+    bake.set_defaults(run=commands.bake)
+
+
+def _add_lesson(subparsers: Subparsers) -> None:
+    lesson = subparsers.add_parser("lesson", help="the lecture, lesson by lesson, without a window")
+    lesson.add_argument("which", nargs="?", default="list", metavar="list|all|N|PATH")
+    lesson.add_argument("-o", "--output", type=Path, help="folder for handouts and figures")
+    lesson.add_argument("--slides", action="store_true", help="which slide is in which step")
+    lesson.add_argument("--notes", action="store_true", help="the handout of the lecturer")
+    lesson.add_argument("--check", type=Path, metavar="FILE", help="a student's .py or .glsl")
+    lesson.set_defaults(run=commands.lesson)
 
 
 def _add_doctor(subparsers: Subparsers) -> None:

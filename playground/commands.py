@@ -49,6 +49,10 @@ def window(options: Namespace) -> int:
     """Open the window; without a display, make a picture of the same view."""
     from playground.gui import open_window
 
+    if options.lesson is not None:
+        from playground.gui.open_lesson import open_lesson
+
+        return open_lesson(options.lesson)
     said = (options.setup, options.light, options.shading, options.terms, options.shininess)
     again = not any((*said, options.precision, options.marks, options.set))
     return open_window(_setup(options, options.setup or "teapot"), again)
@@ -76,7 +80,7 @@ def render(options: Namespace) -> int:
         if setup.settings.marks:
             counts = image.marks()
             _say("pixels: " + ", ".join(f"{counts[kind]} {kind}" for kind in setup.settings.marks))
-        for said in (*image.warnings, image.left_out):
+        for said in (*image.warnings, image.left_out, *image.notes.values()):
             if said is not None:
                 _say(str(said))
     width, height = options.size or DEFAULT_SIZE
@@ -132,10 +136,31 @@ def _save_png(options: Namespace, setup: Setup) -> str:
 
 
 def _picture(options: Namespace, setup: Setup) -> Image:
-    from playground.render.renderer import render
+    from playground.render.renderer import STORED, render
 
-    method = getattr(options, "method", "raster")
-    return render(setup, options.size or DEFAULT_SIZE, options.renderer, method)
+    size, method = options.size or DEFAULT_SIZE, getattr(options, "method", "raster")
+    if method in STORED:
+        return _stored_picture(setup, size, options.renderer, method)
+    return render(setup, size, options.renderer, method)
+
+
+def _stored_picture(setup: Setup, size: tuple[int, int], renderer: str, method: str) -> Image:
+    """A picture of light computed before; on a terminal a bar shows how far that has come."""
+    from tqdm import tqdm
+
+    from playground.render.image import Image
+    from playground.render.renderer import open_renderer
+    from playground.render.stored_renderer import StoredDrawing
+
+    with open_renderer(size, renderer, method=method) as opened:
+        assert isinstance(opened, StoredDrawing)
+        bar = tqdm(total=1.0, desc=method, leave=False, disable=None, bar_format="{l_bar}{bar}")
+        with bar:
+            for share in opened.prepare(setup):
+                bar.update(share - bar.n)
+        image = opened.render(setup)
+    assert isinstance(image, Image)
+    return image
 
 
 def compare(options: Namespace) -> int:
@@ -172,8 +197,8 @@ def explain(options: Namespace) -> int:
     """Print why a pixel has its colour."""
     from playground.explain.method import explain
 
-    size = options.size or DEFAULT_SIZE
-    why = explain(_setup(options), tuple(options.pixel), size, options.method)
+    size, to = options.size or DEFAULT_SIZE, options.to and tuple(options.to)
+    why = explain(_setup(options), tuple(options.pixel), size, options.method, to)
     if options.json:
         _print_json(why.to_dict())
     else:
@@ -216,6 +241,20 @@ def check(options: Namespace) -> int:
     from playground.measure.check import run_check
 
     return run_check(options.cases, options.backend, options.system, options.json)
+
+
+def bake(options: Namespace) -> int:
+    """Write a setup with a lightmap beside it."""
+    from playground.render.lightmap.command import run_bake
+
+    return run_bake(_setup(options), options.output, options.texels, options.rays, options.renderer)
+
+
+def lesson(options: Namespace) -> int:
+    """List or run lessons, or check a student's file; status 1 if that is not right."""
+    from playground.lesson.command import run_lesson
+
+    return run_lesson(options.which, options.output, options.slides, options.notes, options.check)
 
 
 def doctor(options: Namespace) -> int:
