@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 PROGRAM = "playground"
 COMMANDS = ("render", "compare", "explain", "measure", "check", "bake", "lesson", "doctor")
 METHODS = "raster, ray-tracing, radiosity or lightmap"
+SHEETS = "a figure: terms, shininess, shading; depth, tests; bounces, answers"
 TO = "radiosity: a second pixel; tells the form factors of the two patches"
 TOO_LARGE = PlaygroundError(
     "the picture, or the model, is too large for this machine's memory",
@@ -117,7 +118,7 @@ def _add_render(subparsers: Subparsers) -> None:
     render = subparsers.add_parser("render", help="a setup as a picture")
     render.add_argument("setup", metavar="SETUP")
     render.add_argument("-o", "--output", type=Path, required=True, help=".png, .exr or .npy")
-    render.add_argument("--sheet", help="a figure: terms, shininess, shading; depth, tests")
+    render.add_argument("--sheet", help=SHEETS)
     render.add_argument("--method", default="raster", help=METHODS)
     render.add_argument("--depth", help="ray tracing: bounces followed, 5 unless given")
     render.add_argument("--samples", help="samples per pixel: 1 to 16")

@@ -26,6 +26,8 @@ SHEET_SETS = {  # the options that a sheet decides itself
     "shading": ("shading",),
     "depth": ("shading",),
     "tests": ("shading",),
+    "bounces": (),
+    "answers": (),
 }
 
 
@@ -67,7 +69,7 @@ def render(options: Namespace) -> int:
     check_method(options.method)
     raster = options.method == "raster"
     if options.sheet is not None:
-        if not raster and options.sheet not in ("depth", "tests"):
+        if not raster and options.sheet in ("terms", "shininess", "shading"):
             raise PlaygroundError("this sheet is drawn by --method raster", got=options.method)
         return _sheet(options, suffix)
     setup = _setup(options)

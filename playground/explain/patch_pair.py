@@ -73,8 +73,7 @@ class PatchPair:
     def expected(self) -> Two:
         """F_ij and F_ji as they should be: the closed form times the visible share.
 
-        Exact where all or nothing is visible; in between, right to about 2/√segments of a
-        border's share: one shadow's edge through the segments.
+        Exact where all or nothing is visible; in between, as good as its segments.
         """
         return self.closed[0] * self.visible, self.closed[1] * self.visible
 
@@ -99,11 +98,14 @@ class PatchPair:
                     factors=other(told.factors),
                     sums=other(told.sums),
                     error=_error(told.factors[1], self.expected[1]),
-                    exchange=-told.exchange,
+                    exchange=0.0 - told.exchange,
                 )
                 for told in self.methods
             ),
-            **{name: other(getattr(self, name)) for name in ("area", "angle", "point", "closed")},
+            area=other(self.area),
+            angle=other(self.angle),
+            point=other(self.point),
+            closed=other(self.closed),
         )
 
     def text(self) -> str:
@@ -217,8 +219,9 @@ def _visible(patches: Patches, i: int, j: int) -> float:
     stands = between(patches)
     open_ = np.flatnonzero(weight > 0.0)
     hidden = stands.hidden(start[open_], up[open_], end[open_], down[open_])
-    seen = weight[open_[~hidden]].sum()
-    return float(visible_share(seen, weight.sum()))
+    seen = weight.copy()
+    seen[open_[hidden]] = 0.0
+    return float(visible_share(seen.sum(), weight.sum()))
 
 
 def _asked(pair: PatchPair, method: str, settings: Settings) -> MethodTold:

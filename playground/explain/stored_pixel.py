@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from playground.explain.patch_light import PatchLight, explain_patch
+from playground.explain.patch_words import light_dict, light_text
 from playground.explain.pixel import check_pixel
 from playground.explain.sight import sight
 from playground.explain.words import ending, plain, triple
@@ -40,7 +42,8 @@ class StoredPixel:
     ``direct`` and ``indirect`` are the parts of the light H that arrives, ``arriving`` what is
     shown of it, ``material_diffuse`` is m_d with its
     texture; ``diffuse``, ``specular`` and ``emissive`` are the terms, weighted, that make up
-    ``colour``. ``patch`` is the patch it sees, of radiosity; ``back`` says that it sees the back
+    ``colour``. ``patch`` is the patch it sees, of radiosity, and
+    ``patch_light`` the light of that patch; ``back`` says that it sees the back
     of a surface, where nothing arrives.
     """
 
@@ -63,6 +66,7 @@ class StoredPixel:
     specular: Array = field(default_factory=_black)
     emissive: Array = field(default_factory=_black)
     note: str = ""
+    patch_light: PatchLight | None = None
 
     def text(self) -> str:
         """The explanation for a terminal."""
@@ -94,6 +98,7 @@ class StoredPixel:
             f"{triple(self.arriving)} = {triple(self.diffuse)}",
             f"  specular  {triple(self.specular)}   of the local model, without shadows",
             f"  emissive  {triple(self.emissive)}",
+            *(light_text(self.patch_light) if self.patch_light is not None else ()),
         ]
 
     def latex(self) -> str:
@@ -118,6 +123,7 @@ class StoredPixel:
             "method": self.method,
             **{name: plain(getattr(self, name)) for name in (*names, *terms)},
             "code": [int(code) for code in self.codes],
+            "patch_light": light_dict(self.patch_light) if self.patch_light is not None else None,
         }
 
     def __str__(self) -> str:
@@ -196,7 +202,7 @@ def _seen(
     diffuse = surface.reflectance * texel * arriving[setup.settings.light_shown]
     return {
         "object": number,
-        "patch": _patch(light, number, triangle),
+        **_patch(light, number, triangle),
         "direct": arriving["direct"],
         "indirect": arriving["indirect"],
         "arriving": arriving[setup.settings.light_shown],
@@ -212,13 +218,16 @@ def _dark(surface: Surface) -> Surface:
     return replace(surface, reflectance=np.zeros(3), constant_terms=np.zeros(3))
 
 
-def _patch(light: LightSource, number: int, triangle: int) -> int | None:
-    """Which patch a triangle of an object is a part of, of radiosity."""
+def _patch(light: LightSource, number: int, triangle: int) -> dict[str, Any]:
+    """Which patch a triangle of an object is a part of, of radiosity, and its light."""
     if not isinstance(light, RadiosityLight) or light.result is None:
-        return None
+        return {}
     drawn = light.result.drawn(flat=True)
     mesh = drawn.meshes[number]
-    return None if mesh is None else int(drawn.vertices[number][mesh.faces[triangle, 0]])
+    if mesh is None:
+        return {}
+    patch = int(drawn.vertices[number][mesh.faces[triangle, 0]])
+    return {"patch": patch, "patch_light": explain_patch(light.result, patch)}
 
 
 def _column(values: Any) -> str:

@@ -16,8 +16,11 @@ def test_every_pixel_is_explained_as_it_was_drawn(name, shading):
     for x, y in [(40, 30), (20, 25), (55, 35), (0, 0), (79, 59)]:
         why = pg.explain(setup, pixel=(x, y), size=SIZE)
         np.testing.assert_allclose(why.colour, image.pixels[y, x], atol=1e-6)
-        assert why.codes.tolist() == image.codes()[y, x].tolist()
-        assert (why.object is None) == (image.coverage[y, x] == 0)
+        # The picture is float32: a value half-way between two codes may go either way there.
+        steps = 255.0 * np.array(why.shown)
+        sure = np.abs(steps % 1.0 - 0.5) > 255.0 * 1e-6
+        assert np.all((why.codes == image.codes()[y, x])[:3] | ~sure)
+        assert (why.object is None and why.light is None) == (image.coverage[y, x] == 0)
 
 
 def test_terms_lights_and_weights_add_up():
