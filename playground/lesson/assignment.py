@@ -38,18 +38,22 @@ class Student(Protocol):
         """Why there is no such function, or nothing."""
 
     def call(self, name: str, arguments: Arrays) -> Array:
-        """The colours (N, 3) for N rows of arguments."""
+        """The results (N, width) for N rows of arguments."""
 
 
 @dataclass(frozen=True)
 class Task:
-    """A function to write: its arguments, what is right, named mistakes, and cases (N, k)."""
+    """A function to write: its arguments, what is right, named mistakes, and cases (N, k).
+
+    ``width`` is how many numbers it returns: three, a colour or vector, or one.
+    """
 
     name: str
     arguments: tuple[str, ...]
     right: Answer
     wrong: Mapping[str, Answer]
     cases: Arrays
+    width: int = 3
 
 
 @dataclass(frozen=True)

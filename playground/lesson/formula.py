@@ -17,6 +17,7 @@ from playground.errors import PlaygroundError
 FAMILY = "cm"  # Computer Modern, the letters of LaTeX
 UNITS = 100.0  # per em, in which matplotlib gives outlines
 LARGER = 1.18  # its letters are smaller than those of the text around them
+DEGREE = r"^\circ"
 LETTERS = {1: "M", 2: "L", 3: "Q", 4: "C", 79: "Z"}  # of SVG for matplotlib's path codes
 POINTS = {1: 1, 2: 1, 3: 2, 4: 3, 79: 1}  # that belong to a code
 
@@ -40,7 +41,7 @@ def svg(formula: str) -> str:
     _check(formula)
     from matplotlib.textpath import text_to_path
 
-    font, text, em = _font(UNITS), f"${formula}$", LARGER / UNITS
+    font, text, em = _font(UNITS), _source(formula), LARGER / UNITS
     width, height, depth = text_to_path.get_text_width_height_descent(text, font, ismath=True)
     vertices, codes = text_to_path.get_text_path(font, text, ismath=True)
     box = f"0 {-(height - depth):.1f} {width:.1f} {height:.1f}"
@@ -64,8 +65,13 @@ def mask(formula: str, size: float) -> Mask:
     _check(formula)
     from matplotlib.mathtext import MathTextParser
 
-    made = MathTextParser("agg").parse(f"${formula}$", dpi=72, prop=_font(LARGER * size))
+    made = MathTextParser("agg").parse(_source(formula), dpi=72, prop=_font(LARGER * size))
     return Mask(np.asarray(made.image, dtype=np.uint8), float(made.depth))
+
+
+def _source(formula: str) -> str:
+    """As mathtext reads it: its letters have no sign of their own for a degree."""
+    return f"${formula.replace('°', DEGREE)}$"
 
 
 @lru_cache(maxsize=512)
@@ -73,7 +79,7 @@ def _check(formula: str) -> None:
     from matplotlib.mathtext import MathTextParser
 
     try:
-        MathTextParser("path").parse(f"${formula}$")
+        MathTextParser("path").parse(_source(formula))
     except ValueError as error:
         reason = str(error).strip().splitlines()[-1]
         raise PlaygroundError("a formula cannot be typeset", got=formula, fix=reason) from None

@@ -12,8 +12,10 @@ from playground.shading.vector import Array
 TYPES = {1: "float", 3: "vec3"}
 
 
-def run_rows(text: str, file: str, name: str, arguments: tuple[Array, ...]) -> Array:
-    """What function ``name`` of the text gives for each row of the arguments, a vec3: (N, 3).
+def run_rows(
+    text: str, file: str, name: str, arguments: tuple[Array, ...], width: int = 3
+) -> Array:
+    """What function ``name`` of the text gives for each row of the arguments, (N, width).
 
     Raises
     ------
@@ -29,7 +31,7 @@ def run_rows(text: str, file: str, name: str, arguments: tuple[Array, ...]) -> A
     rows = [np.ascontiguousarray(a, dtype=np.float32).reshape(len(a), -1) for a in arguments]
     inputs = [f"in {TYPES[row.shape[1]]} in_{i};" for i, row in enumerate(rows)]
     passed = ", ".join(f"in_{i}" for i in range(len(rows)))
-    main = f"out vec3 out_result;\nvoid main() {{ out_result = {name}({passed}); }}"
+    main = f"out {TYPES[width]} out_result;\nvoid main() {{ out_result = {name}({passed}); }}"
     source = assemble(file, tail="\n".join([*inputs, main]), overrides={file: text})
     context = headless()
     try:
@@ -43,11 +45,11 @@ def run_rows(text: str, file: str, name: str, arguments: tuple[Array, ...]) -> A
         if f"in_{i}" in program
     ]
     count = len(rows[0])
-    buffer = context.buffer(reserve=12 * count)
+    buffer = context.buffer(reserve=4 * width * count)
     rest(context)
     array = context.vertex_array(program, content)
     array.transform(buffer, moderngl.POINTS, count)
-    result = np.frombuffer(buffer.read(), np.float32).reshape(count, 3).astype(np.float64)
+    result = np.frombuffer(buffer.read(), np.float32).reshape(count, width).astype(np.float64)
     held: list[Any] = [array, program, buffer, *columns]
     for item in held:
         item.release()

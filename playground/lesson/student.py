@@ -30,7 +30,7 @@ def open_student(file: Path, assignment: Assignment) -> Student:
         Another suffix; no such file; or it fails when it is read, with file and line.
     """
     if file.suffix == ".py":
-        return PythonStudent(file)
+        return PythonStudent(file, assignment)
     if file.suffix == ".glsl":
         return GlslStudent(file, assignment)
     raise PlaygroundError("an assignment is Python or GLSL", got=str(file), allowed=".py or .glsl")
@@ -55,8 +55,9 @@ class PythonStudent:
 
     tolerance = 1e-9  # of sums and powers up to 80 in float64: 1e-13 would do for ours
 
-    def __init__(self, file: Path) -> None:
+    def __init__(self, file: Path, assignment: Assignment) -> None:
         self._file = file
+        self._widths = {task.name: task.width for task in assignment.tasks}
         self._names: dict[str, Any] = {"__name__": "student", "__file__": str(file)}
         try:
             exec(compile(text_of(file), str(file), "exec", dont_inherit=True), self._names)
@@ -72,7 +73,8 @@ class PythonStudent:
             return f"there is no function {name}"
         ones = [np.ones(3)] * function.__code__.co_argcount if _plain(function) else []
         try:
-            function(*ones)
+            with np.errstate(all="ignore"):  # ones are no directions
+                function(*ones)
         except NotImplementedError:
             return UNWRITTEN
         except Exception:  # told, with its line, when the cases are run
@@ -80,28 +82,28 @@ class PythonStudent:
         return ""
 
     def call(self, name: str, arguments: Arrays) -> Array:
-        """The results for each row, (N, 3); zeros where it is not written.
+        """The results for each row, (N, width); zeros where it is not written.
 
         Raises
         ------
         LessonError
-            The function fails, or gives no colour.
+            The function fails, or gives another number of numbers.
         """
         function: Callable[..., Any] | None = self._names.get(name)
+        width = self._widths[name]
         if function is None or self.missing(name):
-            return np.zeros((len(arguments[0]), 3))
+            return np.zeros((len(arguments[0]), width))
         try:
             made = [function(*(np.array(a) for a in row)) for row in zip(*arguments, strict=True)]
         except Exception as error:
             raise mistake(error, self._file, 1) from error
         with suppress(TypeError, ValueError):
-            colours = np.array(made, dtype=np.float64)
-            if colours.shape == (len(made), 3):
-                return colours
+            results = np.array(made, dtype=np.float64)
+            if results.shape == (len(made), 3)[: 1 + (width > 1)]:
+                return results.reshape(-1, width)
         line = function.__code__.co_firstlineno if _plain(function) else 1
-        raise LessonError(
-            self._file, line, f"{name} must return a colour: three numbers", got=repr(made[0])
-        )
+        wanted = "a colour: three numbers" if width > 1 else "one number"
+        raise LessonError(self._file, line, f"{name} must return {wanted}", got=repr(made[0]))
 
 
 class GlslStudent:
@@ -121,7 +123,7 @@ class GlslStudent:
         return "" if self._run(name, task.cases).any() else UNWRITTEN
 
     def call(self, name: str, arguments: Arrays) -> Array:
-        """The results for each row, (N, 3); zeros where it is not written.
+        """The results for each row, (N, width); zeros where it is not written.
 
         Raises
         ------
@@ -129,13 +131,14 @@ class GlslStudent:
             It does not compile, or there is no GL driver.
         """
         if f" {name}(" not in self._text:
-            return np.zeros((len(arguments[0]), 3))
+            return np.zeros((len(arguments[0]), self._tasks[name].width))
         return self._run(name, arguments)
 
     def _run(self, name: str, arguments: Arrays) -> Array:
         from playground.lesson.glsl_rows import run_rows
 
-        return run_rows(self._text, str(self._file), name, arguments)
+        width = self._tasks[name].width
+        return run_rows(self._text, str(self._file), name, arguments, width)
 
 
 def _plain(function: Any) -> bool:

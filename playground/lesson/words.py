@@ -1,4 +1,4 @@
-"""The six words of a lesson: show, figure, plot, number, predict, goal.
+"""The words of a lesson: show, figure, plot, number, predict, goal, listing.
 
 In a plain script or a notebook they check and print; when the program runs the lesson, a
 `Recorder` keeps what they say for the window, the handout and the tests.
@@ -12,8 +12,8 @@ from contextvars import ContextVar
 from typing import TYPE_CHECKING
 
 from playground.errors import PlaygroundError
-from playground.lesson.parts import Figure, Goal, Question, View
-from playground.lesson.prose import Block, filled, parse
+from playground.lesson.parts import Figure, Goal, Question, Text, View
+from playground.lesson.prose import Block, Span, filled, parse
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -207,6 +207,34 @@ def goal(text: str, *, reached: Callable[[Setup], object], solution: Setup, hint
         recorder.goal(Goal(_parsed(text), _parsed(hint), solution), reached)
     else:
         _print(f"Goal: {text}")
+
+
+def listing(file: str, *, first: str = "", last: str = "") -> str:
+    """Show lines of a shader file as they stand in it, and return them.
+
+    Parameters
+    ----------
+    file : str
+        Within ``shaders``, for example ``"gouraud.vert"``.
+    first, last : str, optional
+        How the first and the last line begin; by default those of the file. Comment lines at
+        the head of the file are left out.
+
+    Raises
+    ------
+    PlaygroundError
+        There is no such file, or no such line in it.
+    """
+    from playground.lesson.shader_lines import shader_lines
+
+    text = shader_lines(file, first, last)
+    name = Block("paragraph", (Span("code", f"shaders/{file}"), Span("text", ":")))
+    recorder = _recorder.get()
+    if recorder is not None:
+        recorder.say(Text((name, Block("code", (Span("code", text),)))))
+    else:
+        print(f"shaders/{file}:\n{text}")
+    return text
 
 
 def _keep(made: Figure, caption: str) -> Figure:

@@ -3,4 +3,8 @@
 A new one is a module with an ``ASSIGNMENT``, a row here, and a stub in ``lessons/assignments``.
 """
 
-ASSIGNMENTS = {7: "playground.lesson.assignments.phong"}
+ASSIGNMENTS = {
+    7: "playground.lesson.assignments.phong",
+    13: "playground.lesson.assignments.refract",
+    14: "playground.lesson.assignments.form_factor",
+}
