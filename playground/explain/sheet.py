@@ -1,6 +1,6 @@
 """The figures of the lecture: the four terms and their sum, the row of shininess, the shadings.
 
-Those of ray tracing are in `playground.explain.ray_sheet`.
+Those of ray tracing are in `playground.explain.ray_sheet`, of radiosity in `radiosity_sheet`.
 """
 
 from __future__ import annotations
@@ -15,7 +15,8 @@ from playground.scene.settings import TERMS
 from playground.scene.setup import Setup
 
 TRACED = ("depth", "tests")  # sheets that are drawn by ray tracing
-SHEETS = ("terms", "shininess", "shading", *TRACED)
+GLOBAL = ("bounces", "answers")  # sheets of light between surfaces
+SHEETS = ("terms", "shininess", "shading", *TRACED, *GLOBAL)
 SHININESS = (5, 10, 20, 80)
 MAGNIFY = 8
 SAMPLES = 4
@@ -33,6 +34,10 @@ def make_sheet(
     """
     if kind not in SHEETS:
         raise unknown_name("sheet", kind, SHEETS)
+    if kind in GLOBAL:
+        from playground.explain.radiosity_sheet import answers_sheet, bounce_sheet
+
+        return (bounce_sheet if kind == "bounces" else answers_sheet)(setup, size, renderer)
     if kind in TRACED:
         from playground.explain.ray_sheet import depth_sheet, tests_sheet
 

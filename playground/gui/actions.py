@@ -10,10 +10,15 @@ from pathlib import Path
 
 from playground.errors import PlaygroundError
 from playground.gui.history import History
+from playground.gui.lightmap_store import beside
 from playground.gui.reading import Reading, large_meshes
 from playground.gui.state import (
+    CHOSEN,
+    FIVE,
     LARGEST_TEXT,
     LAYOUTS,
+    METHODS,
+    PATHS,
     RASTER,
     REFERENCE,
     SMALLEST_TEXT,
@@ -68,10 +73,11 @@ def save_setup(state: State) -> State:
 def save_as(state: State, path: Path) -> State:
     """Save to a file, which further saving then goes to; the sheet goes away."""
     try:
-        save(state.setup, path)
+        setup = beside(state.setup, path)
+        save(setup, path)
     except PlaygroundError as error:
         return state.fail(error)
-    state = replace(state, file=path, source=str(path), sheet="", typed="")
+    state = replace(state, setup=setup, file=path, source=str(path), sheet="", typed="")
     return with_recent(state, path).say(f"saved {path}")
 
 
@@ -145,16 +151,30 @@ def shade(state: State, mode: str) -> State:
     return kept_apart(state, _made_by(state, mode)).say(mode)
 
 
-def toggle_tracing(state: State) -> State:
-    """Trace rays, or go back to the rasteriser."""
-    mode = state.setup.settings.shading if state.method == TRACED else TRACED
+def toggle_method(state: State, method: str) -> State:
+    """Another method, or back to the rasteriser."""
+    mode = state.setup.settings.shading if state.method == method else method
     return kept_apart(state, _made_by(state, mode)).say(mode)
 
 
+def toggle_tracing(state: State) -> State:
+    """Trace rays, or go back to the rasteriser."""
+    return toggle_method(state, TRACED)
+
+
+def five_answers(state: State) -> State:
+    """The same scene by five methods, or one picture again."""
+    layout = "single" if state.layout == FIVE else FIVE
+    return replace(state, layout=layout).say(layout)
+
+
 def _made_by(state: State, mode: str) -> State:
-    """The state whose first picture is ray traced, or rasterised with this shading."""
-    if mode == TRACED:
-        return replace(state, method=TRACED)
+    """The state whose first picture is made by this method, or rasterised with this shading."""
+    state = replace(state, first=mode if mode in (REFERENCE, PATHS) else CHOSEN)
+    if mode in METHODS:
+        return replace(state, method=mode)
+    if state.first != CHOSEN:
+        return state
     settings = replace(state.setup.settings, shading=mode)
     return with_settings(replace(state, method=RASTER), settings)
 
@@ -166,7 +186,7 @@ def kept_apart(before: State, after: State) -> State:
         return after
     if now != was:
         return replace(after, other=was)
-    return before if before.other == REFERENCE else _made_by(after, before.other)
+    return _made_by(after, before.other)
 
 
 def toggle_term(state: State, term: str) -> State:

@@ -17,6 +17,7 @@ from playground.errors import PlaygroundError
 from playground.files import write_whole
 from playground.gui import frame, memory, theme
 from playground.gui.actions import fresh, open_setup
+from playground.gui.bake_run import BakeRun
 from playground.gui.command_line import copied
 from playground.gui.comparison import Box
 from playground.gui.lesson_course import open_lesson
@@ -61,6 +62,7 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
         self.measuring = Measuring(self.ctx)
         self.reading = ReadingRun()
         self.lesson = LessonRun(self.slots.lesson)
+        self.baking = BakeRun()
         self.hand = frame.Hand()
         self.state = State()
         self.dropped: list[str] = []
@@ -83,6 +85,8 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
         state = read if read.setup is state.setup else frame.remembered(state, read, False)
         taught = self.lesson.advance(state)
         state = taught if taught.setup is state.setup else frame.remembered(state, taught, False)
+        baked = self.baking.advance(state)
+        state = baked if baked.setup is state.setup else frame.remembered(state, baked, False)
         files = self.watch.changed()
         state = reloaded(state, files) if files else state
         self.ui.begin(frame_time)
@@ -107,6 +111,7 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
         self.measuring.close()
         self.reading.close()
         self.lesson.close()
+        self.baking.close()
         self.slots.close()
         self.ui.close()
 

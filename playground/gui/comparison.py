@@ -11,7 +11,18 @@ from functools import lru_cache
 from playground.gui.guess import played
 from playground.gui.orbit import widened
 from playground.gui.same_object import kept_for_same
-from playground.gui.state import REFERENCE, TRACED, State, shown
+from playground.gui.state import (
+    FIVE,
+    LIGHTMAP,
+    METHODS,
+    PATHS,
+    RADIOSITY,
+    REFERENCE,
+    STORED,
+    TRACED,
+    State,
+    shown,
+)
 from playground.scene.settings import TERMS, Settings, Shading
 from playground.scene.setup import Setup
 
@@ -33,17 +44,21 @@ class Picture:
     reference: bool = False  # by NumPy in float64, not by GL
     traced: bool = False  # ray by ray
     tests: bool = False  # how much each of its rays tests, in place of its colours
+    stored: str = ""  # the method of stored light that it shows
+    paths: bool = False  # by chance, path by path
 
     @property
     def rastered(self) -> bool:
         """Whether GL draws it triangle by triangle."""
-        return not (self.reference or self.traced)
+        return not (self.reference or self.traced or self.stored or self.paths)
 
 
 def pictures(state: State, width: int, height: int) -> tuple[Picture, ...]:
     """The pictures of the layout that ``state`` asks for, in a space of the given size."""
     setup, mode = played(state, shown(state)), state.mode
-    if mode == TRACED:
+    if state.layout == FIVE:
+        return _five_answers(setup, width, height)
+    if mode in (*METHODS, REFERENCE, PATHS):
         setup = _as(setup, mode)
     if state.layout == "terms":
         return _term_by_term(setup, mode, width, height)
@@ -98,6 +113,24 @@ def boxes(count: int, width: int, height: int) -> list[Box]:
 
 
 @kept_for_same(2)
+def _five_answers(setup: Setup, width: int, height: int) -> tuple[Picture, ...]:
+    """One scene, five answers: by the local model alone, and by four that know of each other."""
+    captions = {
+        "Phong, local": setup.settings.shading,
+        "Phong with lightmap": LIGHTMAP,
+        "ray tracing": TRACED,
+        RADIOSITY: RADIOSITY,
+        PATHS: PATHS,
+    }
+    return tuple(
+        replace(_picture(_as(setup, mode), mode, box), caption=caption)
+        for (caption, mode), box in zip(
+            captions.items(), boxes(len(captions), width, height), strict=True
+        )
+    )
+
+
+@kept_for_same(2)
 def _term_by_term(setup: Setup, mode: str, width: int, height: int) -> tuple[Picture, ...]:
     """Four pictures of one term each, and their sum; the sixth box is left for the formula."""
     places = boxes(len(TERMS) + 2, width, height)
@@ -118,7 +151,9 @@ def _picture(setup: Setup, mode: str, box: Box, part: tuple[float, float] = (0.0
     camera = widened(setup.camera, max(box[2], 1) / max(box[3], 1))
     if camera is not setup.camera:
         setup = replace(setup, camera=camera)
-    return Picture(setup, mode, box, part, mode == REFERENCE, mode == TRACED)
+    stored = mode if mode in STORED else ""
+    made = Picture(setup, mode, box, part, mode == REFERENCE, mode == TRACED, stored=stored)
+    return replace(made, paths=True) if mode == PATHS else made
 
 
 def _as(setup: Setup, mode: str) -> Setup:
@@ -132,7 +167,7 @@ def _as(setup: Setup, mode: str) -> Setup:
 def _shaded(settings: Settings, shading: str) -> Settings:
     if shading == REFERENCE:  # makes no mistakes, and has no shading of its own
         return replace(settings, shading=Shading.PER_FRAGMENT.value, bugs=())
-    if shading == TRACED:
+    if shading in METHODS or shading == PATHS:
         return replace(settings, bugs=()) if settings.bugs else settings
     return replace(settings, shading=shading)
 

@@ -13,7 +13,8 @@ from playground.gui.canvas import ink
 from playground.gui.comparison import Picture
 from playground.gui.difference import Compared
 from playground.gui.layers import marks_of
-from playground.gui.scene_view import Given, Slots
+from playground.gui.scene_view import Slots
+from playground.gui.slot import Given
 from playground.gui.spans import tidy
 from playground.gui.state import State
 from playground.gui.widgets import tooltip
@@ -34,20 +35,26 @@ def pictured(
     of = slots.difference.of
     if all(settled(picture, i, slots) for i, picture in enumerate(shown)):
         stamps = (_stamp(picture, i, slots) for i, picture in enumerate(shown))
-        of = Compared(a.setup, (*stamps, b.reference, a.box))
+        of = Compared(a.setup, (*stamps, b.reference, b.paths, a.box))
     texture = slots.difference.texture(of, textures[0], textures[1], state.magnify)
-    marks = marks_of(state)
+    marks = marks_of(state, slots)
     if of is not None and marks:
         given = Given(texture, (of, state.magnify))
         texture = slots.marked(given, of.setup, marks)
     caption = f"|{a.caption} − {b.caption}|"
-    return (replace(a, caption=caption, reference=b.reference),), [texture]
+    stored, reference, paths = a.stored or b.stored, a.reference or b.reference, a.paths or b.paths
+    one = replace(a, reference=reference, paths=paths, stored=stored, tests=False)
+    return (replace(one, caption=caption),), [texture]
 
 
 def settled(picture: Picture, number: int, slots: Slots) -> bool:
     """Whether a picture is there as it shall be."""
     if picture.reference:
         return not slots.reference.computing
+    if picture.paths:
+        return not slots.paths.computing
+    if picture.stored:
+        return slots.stored.settled(picture.stored)
     return not picture.traced or slots.traced.settled(number)
 
 
@@ -55,6 +62,10 @@ def _stamp(picture: Picture, number: int, slots: Slots) -> object:
     """What changes whenever a picture does."""
     if picture.reference:
         return slots.reference.stamp
+    if picture.paths:
+        return slots.paths.stamp, slots.paths.shows
+    if picture.stored:
+        return slots.stored.stamp(number, picture.stored)
     return slots.traced.stamp(number) if picture.traced else slots[number].draws
 
 
@@ -77,6 +88,10 @@ def legend(state: State, slots: Slots, origin: Any, space: Any, scale: float) ->
         words = "computing the reference..." if coming else "the reference was given up"
     elif not slots.traced.done:
         words = "tracing rays..."
+    elif slots.stored.working:
+        words = "solving radiosity..."
+    elif slots.paths.computing:
+        words = "following paths..."
     paint.add_text(imgui.ImVec2(left, top + pad), ink(WHITE), "difference as shown, 0 to 1")
     paint.add_text(imgui.ImVec2(left, top + pad + line), ink(WHITE), words)
     _bar(left, top + pad + 2 * line, wide, scale, state.magnify)

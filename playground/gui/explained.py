@@ -56,6 +56,8 @@ _explainer: Explainer[Explanation] = Explainer()
 
 def explained(picture: Picture, pixel: tuple[float, float]) -> Explanation | None:
     """The explanation of the pixel at a fraction of width and height of ``picture``."""
+    if picture.stored or picture.paths:  # the local model would explain another picture
+        return None
     size = picture.box[2:]
     return _explainer(picture.setup, pixel_at(pixel, size), size)
 

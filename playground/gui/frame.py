@@ -10,10 +10,12 @@ from playground.gui import (
     guess,
     menu,
     out_of_sight,
+    radiosity_told,
     same_point,
     scope_path,
     sheets,
     status,
+    stored_words,
     theme,
     view,
     waiting,
@@ -85,8 +87,10 @@ def draw(
     state = state if presenting(state) else menu.draw(state)
     view_box, panel_box, foot_box = areas(state, scale)
     ui.view = pixels(view_box)
-    ui.tracing = told(slots.traced)
-    state = same_point.kept(state, ui.view)
+    ui.tracing, ui.atlas = told(slots.traced), slots.atlas
+    state = slots.factors.advance(same_point.kept(state, ui.view), slots.stored.radiosity)
+    ui.factors = slots.factors.now
+    ui.radiosity = radiosity_told.told(slots.stored)
     if state.panel:
         _place(panel_box)
         state = _controls(state, ui)
@@ -103,7 +107,7 @@ def draw(
         state = state.fail(ui.refused[-1])
     if foot_box[3]:
         _place(foot_box)
-        _foot(state, numbers)
+        _foot(state, numbers, stored_words.status(slots))
     state = waiting.draw(sheets.draw(state), slots.reference, view_box)
     moving = dragging or state.playing or state.scope.playing
     return remembered(before, state, hand.holds(moving, seconds))
@@ -201,9 +205,9 @@ def _shaders(state: State, ui: Ui) -> State:
     return state
 
 
-def _foot(state: State, numbers: str) -> None:
+def _foot(state: State, numbers: str, light: str) -> None:
     imgui.push_style_var(imgui.StyleVar_.window_padding, imgui.ImVec2(10, 4))
     imgui.begin("Status", None, FIXED | imgui.WindowFlags_.no_scrollbar.value)
-    status.draw(state, numbers)
+    status.draw(state, numbers, light)
     imgui.end()
     imgui.pop_style_var()

@@ -177,6 +177,8 @@ def _set(piece: Piece, baseline: float, size: float, known: dict[str, list[float
 
 def _code(block: Block) -> None:
     imgui.push_font(imgui.get_io().fonts.fonts[1], 0.85 * imgui.get_style().font_size_base)
+    imgui.push_text_wrap_pos(0.0)  # at the edge of the window: a long row is not cut off
     for row in block.text.split("\n"):
         imgui.text_unformatted(row)
+    imgui.pop_text_wrap_pos()
     imgui.pop_font()

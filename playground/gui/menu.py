@@ -7,9 +7,10 @@ from functools import lru_cache
 from imgui_bundle import imgui
 
 from playground.errors import PlaygroundError
+from playground.gui.action import Action
 from playground.gui.actions import open_setup
 from playground.gui.lesson_course import open_lesson
-from playground.gui.shortcuts import ACTIONS, MENUS, Action
+from playground.gui.shortcuts import ACTIONS, MENUS
 from playground.gui.state import State
 from playground.lesson.library import lessons
 from playground.lesson.script import read_lesson

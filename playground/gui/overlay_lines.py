@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.gui.gizmo_math import seen, surfaces_of
+from playground.gui.patch_lines import PatchLines
 from playground.render.surface import Surface
 from playground.render.trace.bvh import bvh_of
 from playground.render.view import View
@@ -32,6 +33,8 @@ COLOURS = {
     "vertex normals": (0.25, 0.80, 1.0, 1.0),
     "face normals": (1.0, 0.35, 0.85, 1.0),
     "boxes": (0.95, 0.65, 0.10, 0.8),
+    "patches": (0.55, 0.90, 1.0, 0.5),
+    "shooters": (1.0, 0.85, 0.0, 0.6),
 }
 VERTEX = """#version 330
 uniform mat4 clip_from_eye;
@@ -59,9 +62,11 @@ class Marks:
     vertex_normals: bool = False
     face_normals: bool = False
     boxes: tuple[int, int] | None = None  # of which object, and of which level of its tree
+    patches: PatchLines | None = None  # those of radiosity
 
     def __bool__(self) -> bool:
-        return self.wireframe or self.vertex_normals or self.face_normals or self.boxes is not None
+        lines = self.wireframe or self.vertex_normals or self.face_normals
+        return lines or self.boxes is not None or self.patches is not None
 
 
 NO_MARKS = Marks()
@@ -148,6 +153,10 @@ class LineArt:
         ):
             if on:
                 self._normals(everything, view, setup.bounds()[1], name)
+        if marks.patches is not None:
+            places = view.relative(marks.patches.edges), view.relative(marks.patches.triangles)
+            self._lines(places[0].astype(np.float32), "patches")
+            self._lines(places[1].astype(np.float32), "shooters", moderngl.TRIANGLES)
         context.blend_func = over
         context.enable_only(moderngl.DEPTH_TEST)
 
@@ -161,12 +170,14 @@ class LineArt:
         places = view.relative(np.concatenate(lines).reshape(-1, 3))
         self._lines(places.astype(np.float32), name)
 
-    def _lines(self, places: NDArray[np.float32], name: str) -> None:
-        """Segments between pairs of places (2 N, 3)."""
+    def _lines(self, places: NDArray[np.float32], name: str, kind: int = moderngl.LINES) -> None:
+        """Segments between pairs of places (2 N, 3), or triangles of three."""
+        if len(places) == 0:
+            return
         self._write("colour", COLOURS[name])
         buffer = self._context.buffer(places.tobytes())
         array = self._context.vertex_array(self._program, [(buffer, "3f", "position")])
-        array.render(moderngl.LINES)
+        array.render(kind)
         array.release()
         buffer.release()
 

@@ -25,9 +25,9 @@ def picked(state: State, origin: imgui.ImVec2, size: tuple[int, int]) -> State:
     """
     io = imgui.get_io()
     over = imgui.is_item_hovered()
-    if over and imgui.is_item_deactivated() and _tapped(1):
+    if over and imgui.is_item_deactivated() and tapped(1):
         return forget(state)
-    clicked = over and imgui.is_item_deactivated() and _tapped(0) and not io.key_shift
+    clicked = over and imgui.is_item_deactivated() and tapped(0) and not io.key_shift
     moved = bool(io.mouse_delta.x or io.mouse_delta.y)
     followed = over and io.key_shift and moved and not any(io.mouse_down[i] for i in range(3))
     if not (clicked or followed):
@@ -61,7 +61,7 @@ def place(shown: tuple[Picture, ...], x: float, y: float) -> tuple[int, tuple[fl
     return None
 
 
-def _tapped(button: int) -> bool:
+def tapped(button: int) -> bool:
     """Whether the button was let go where it was pressed."""
     moved = imgui.get_mouse_drag_delta(button)  # 0 until the mouse is dragged
     return imgui.is_mouse_released(button) and moved.x == 0.0 and moved.y == 0.0

@@ -54,6 +54,7 @@ class ReferencePicture:
         self._shown: tuple[Setup, tuple[int, int]] | None = None
         self._refused: tuple[Setup, tuple[int, int]] | None = None  # given up, or failed
         self.codes: Codes | None = None
+        self.shows = 0  # how often there was another picture
 
     def texture(self, setup: Setup, size: tuple[int, int]) -> moderngl.Texture:
         """The texture of the last picture that is ready; grey where there is none yet.
@@ -128,6 +129,7 @@ class ReferencePicture:
 
     def _show(self, of: tuple[Setup, tuple[int, int]], codes: Codes) -> None:
         self._shown, self.codes = of, codes
+        self.shows += 1
         size, data = of[1], codes.tobytes()
         if self._texture is None or self._texture.size != size:
             self.release()

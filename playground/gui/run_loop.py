@@ -39,7 +39,7 @@ def busy(window: LightingWindow) -> bool:
     state = window.state
     moving = state.playing or state.reading is not None or under_way(state)
     rays = state.pixel is not None and (state.rays.playing or state.rays.lit >= 0)
-    moving = moving or rays or window.slots.traced.refining or window.lesson.coming
+    moving = moving or rays or window.slots.refining or window.lesson.coming
     return moving or bool(window.dropped) or _events_waiting()
 
 
@@ -51,7 +51,7 @@ def _slept(window: LightingWindow) -> bool:
     """Wait for the next event; false where only time has passed and a caret must blink."""
     import glfw  # type: ignore[import-not-found, unused-ignore]
 
-    if window.slots.reference.coming or window.slots.traced.coming:
+    if window.slots.coming:
         glfw.wait_events_timeout(GLANCE)
         return False
     while not window.wnd.is_closing:

@@ -1,139 +1,29 @@
-"""Pictures of setups as textures, drawn again only when setup or size have changed."""
+"""All pictures of the view as textures, by whatever method they are made."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import moderngl
 
-from playground.errors import PlaygroundError
+from playground.gui.atlas_picture import AtlasPicture
 from playground.gui.difference import DifferencePicture
+from playground.gui.factor_run import FactorRun
 from playground.gui.lesson_pictures import LessonPictures
-from playground.gui.overlay_lines import NO_MARKS, LineArt, Marks
+from playground.gui.overlay_lines import Marks
+from playground.gui.path_picture import PathPicture
 from playground.gui.reference import ReferencePicture
-from playground.gui.texture_target import TextureTarget
+from playground.gui.slot import Given, Slot
+from playground.gui.stored_slots import StoredSlots
 from playground.gui.traced_slots import TracedSlots
-from playground.render.gl.program import ShaderError
-from playground.render.gl.renderer import GLRenderer
 from playground.scene.settings import Settings, Shading
 from playground.scene.setup import Setup
 
 if TYPE_CHECKING:
     from types import TracebackType
-
-
-@dataclass(frozen=True)
-class Given:
-    """A picture that GL has not drawn; ``stamp`` changes when it does."""
-
-    texture: moderngl.Texture
-    stamp: object
-
-
-class Slot:
-    """One place of the view: its renderer, its texture, and what stands in it."""
-
-    def __init__(self, context: moderngl.Context) -> None:
-        self._context = context
-        self._renderer = GLRenderer((1, 1), context)
-        self._target: TextureTarget | None = None
-        self._drawn: Setup | None = None
-        self._marks = NO_MARKS
-        self._given: Given | None = None
-        self._lines: LineArt | None = None
-        self._query = context.query(time=True)
-        self._waiting = False
-        self.draws = 0
-        self._milliseconds = 0.0
-
-    def texture(
-        self,
-        setup: Setup,
-        size: tuple[int, int],
-        marks: Marks = NO_MARKS,
-        given: Given | None = None,
-    ) -> moderngl.Texture:
-        """The texture with the picture of ``setup``, and ``marks`` drawn over it.
-
-        A picture that is ``given`` takes the place of the drawn one, which lends its depth.
-
-        Raises
-        ------
-        PlaygroundError
-            What the renderer refuses; the old picture is lost.
-        """
-        target = self._sized(size, setup.settings.samples)
-        if (marks, given) != (self._marks, self._given):
-            self._drawn, self._marks, self._given = None, marks, given
-        if self._drawn is not setup and self._drawn != setup:
-            self._drawn = None
-            self._draw(setup, target)
-            self._drawn = setup
-        return target.texture
-
-    def override(self, texts: Mapping[str, str]) -> None:
-        """Draw with ``texts`` in place of shader files from now on."""
-        if texts != self._renderer.overrides:
-            self._renderer.overrides = texts
-            self._drawn = None
-
-    @property
-    def shader_error(self) -> str:
-        """Why the texts are not what the picture was drawn with; empty if they are."""
-        return self._renderer.shader_error
-
-    @property
-    def milliseconds(self) -> float:
-        """GPU time of the last drawing. Asked for a frame later, it costs no waiting."""
-        if self._waiting:
-            self._milliseconds, self._waiting = self._query.elapsed * 1e-6, False
-        return self._milliseconds
-
-    def _draw(self, setup: Setup, target: TextureTarget) -> None:
-        self._renderer.size = target.size
-        with self._query:
-            self._draw_edited(setup, target)
-            if self._given is not None:
-                target.lay(self._given.texture)
-            if self._marks:
-                self._lines = self._lines or LineArt(self._context)
-                self._lines.draw(setup, self._marks, target.size)
-            target.resolve()
-        self._waiting = True
-        self.draws += 1
-
-    def _draw_edited(self, setup: Setup, target: TextureTarget) -> None:
-        """Draw; shaders of the user that compile, but cannot be fed, give way to the last good."""
-        try:
-            self._renderer.draw(setup, target)
-        except (PlaygroundError, ShaderError):
-            raise
-        except Exception as error:  # a uniform or attribute of another type than ours
-            if not self._renderer.overrides or self._renderer.shader_error:
-                raise
-            self._renderer.refuse_overrides(f"this compiles, but cannot be drawn with: {error}")
-            self._renderer.draw(setup, target)
-
-    def _sized(self, size: tuple[int, int], samples: int) -> TextureTarget:
-        wanted = (size, min(samples, self._context.max_samples) if samples > 1 else 1)
-        if self._target is not None and (self._target.size, self._target.samples) == wanted:
-            return self._target
-        if self._target is not None:
-            self._target.release()
-        self._target, self._drawn = None, None
-        self._target = TextureTarget(self._context, size, samples)
-        return self._target
-
-    def release(self) -> None:
-        """Free the GPU memory."""
-        self._renderer.close()
-        if self._lines is not None:
-            self._lines.release()
-        if self._target is not None:
-            self._target.release()
 
 
 class Slots:
@@ -146,6 +36,10 @@ class Slots:
         self.difference = DifferencePicture(context)
         self.lesson = LessonPictures(context)
         self.traced = TracedSlots(context)
+        self.factors = FactorRun(context)
+        self.stored = StoredSlots(context)
+        self.paths = PathPicture(context)
+        self.atlas = AtlasPicture(context)
         self._chalk = Slot(context)
         self._texts: Mapping[str, str] = {}
         self._used: tuple[int, ...] = ()
@@ -181,12 +75,24 @@ class Slots:
     @property
     def milliseconds(self) -> float:
         """GPU time of the last drawing of every picture in use."""
-        return sum(self[number].milliseconds for number in self._used) + self.traced.milliseconds
+        drawn = sum(self[number].milliseconds for number in self._used)
+        return drawn + self.traced.milliseconds + self.stored.milliseconds
+
+    @property
+    def refining(self) -> bool:
+        """Whether the next frame will bring more of a picture."""
+        return self.traced.refining or self.stored.working
+
+    @property
+    def coming(self) -> bool:
+        """Whether a thread computes a picture."""
+        pictures = self.reference.coming or self.traced.coming or self.paths.working
+        return pictures or self.factors.now.working
 
     @property
     def draws(self) -> int:
         """How often any picture has been drawn."""
-        return sum(slot.draws for slot in self._slots)
+        return sum(slot.draws for slot in self._slots) + self.stored.draws
 
     def restore(self) -> None:
         """Leave the state of GL as a window expects to find it."""
@@ -198,7 +104,12 @@ class Slots:
         self.reference.rest()
         self.reference.release()
         self.difference.release()
+        self.atlas.release()
         self.traced.close()
+        self.factors.close()
+        self.stored.close()
+        self.paths.rest()
+        self.paths.release()
         self.lesson.forget()
         for slot in (*self._slots, self._chalk):
             slot.release()

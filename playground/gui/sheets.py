@@ -66,7 +66,7 @@ def _keys(state: State) -> State:
     groups = [(menu, [(a.name, a.keys) for a in ACTIONS if a.menu == menu]) for menu in MENUS]
     groups.append(("Mouse", list(MOUSE)))
     size, room = imgui.get_font_size(), imgui.get_content_region_avail().x
-    imgui.push_style_var(imgui.StyleVar_.item_spacing, imgui.ImVec2(GAP * size, 0.2 * size))
+    imgui.push_style_var(imgui.StyleVar_.item_spacing, imgui.ImVec2(GAP * size, 0.12 * size))
     for count in range(COLUMNS, 0, -1):
         columns = _columns(groups, count)
         tabs = [_widest(name for _, lines in column for name, _ in lines) for column in columns]
@@ -85,17 +85,14 @@ def _keys(state: State) -> State:
 
 
 def _columns(groups: list[Table], count: int) -> list[list[Table]]:
-    """The tables in columns of about the same height."""
-    columns: list[list[Table]] = [[] for _ in range(count)]
-    share = sum(len(lines) + 2 for _, lines in groups) / count
-    so_far = column = 0
-    for title, lines in groups:
-        high = len(lines) + 2
-        if so_far + high / 2 > share * (column + 1) and column + 1 < count:
-            column += 1
-        so_far += high
-        columns[column].append((title, lines))
-    return columns
+    """The tables in columns of about the same height: the highest first, each where room is."""
+    heights, columns = [0] * count, [list[Table]() for _ in range(count)]
+    for group in sorted(groups, key=lambda group: -len(group[1])):
+        column = heights.index(min(heights))
+        heights[column] += len(group[1]) + 2
+        columns[column].append(group)
+    in_order = (sorted(column, key=groups.index) for column in columns)
+    return sorted(in_order, key=lambda column: groups.index(column[0]) if column else len(groups))
 
 
 def _tables(column: list[Table], tab: float) -> None:

@@ -5,13 +5,12 @@ Keys, menus and the help sheet all follow from this table.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cache, partial
 
 from imgui_bundle import imgui
 
-from playground.gui import actions, lesson_course, presentation
+from playground.gui import actions, lesson_course, presentation, radiosity_keys
+from playground.gui.action import Action, key
 from playground.gui.navigation import NOTCH, SHIFT_STEP, STEP, closer, shifted, turned
 from playground.gui.pixel_pick import forget
 from playground.gui.stand import stepped
@@ -23,31 +22,9 @@ CTRL, SHIFT = imgui.Key.mod_ctrl.value, imgui.Key.mod_shift.value
 ESCAPE = imgui.Key.escape.value
 
 
-@dataclass(frozen=True)
-class Action:
-    """One thing that can be done.
-
-    ``chords`` are ImGui key chords, all of which are written in ``keys``.
-    ``repeats`` says that holding the key repeats it. ``on`` says whether what the action
-    switches is on: the menu shows a tick then.
-    """
-
-    menu: str
-    name: str
-    keys: str
-    chords: tuple[int, ...]
-    do: Callable[[State], State]
-    repeats: bool = False
-    on: Callable[[State], bool] | None = None
-
-
-def _key(name: str, modifiers: int = 0) -> int:
-    return int(getattr(imgui.Key, name).value) | modifiers
-
-
 def _term(number: int, term: str) -> Action:
     letter, do = term[0], partial(actions.toggle_term, term=term)
-    keys = (_key(f"_{number}"), _key(f"keypad{number}"), _key(letter))
+    keys = (key(f"_{number}"), key(f"keypad{number}"), key(letter))
     name, on = f"{term} on or off", partial(_adds, term=term)
     return Action("Shading", name, f"{number} or {letter.upper()}", keys, do, on=on)
 
@@ -67,13 +44,13 @@ def _shaded(state: State, mode: str) -> bool:
 
 def _walk(name: str, arrow: str, yaw: float, pitch: float) -> Action:
     do = partial(turned, yaw=yaw, pitch=pitch)
-    return Action("Camera", name, arrow.title(), (_key(f"{arrow}_arrow"),), do, repeats=True)
+    return Action("Camera", name, arrow.title(), (key(f"{arrow}_arrow"),), do, repeats=True)
 
 
 def _overlay(name: str, letter: str, knob: str) -> Action:
     do = partial(actions.toggle_overlay, name=knob)
     on = partial(_lies_over, name=knob)
-    return Action("Picture", name, letter.upper(), (_key(letter),), do, on=on)
+    return Action("Picture", name, letter.upper(), (key(letter),), do, on=on)
 
 
 def _lies_over(state: State, name: str) -> bool:
@@ -82,60 +59,62 @@ def _lies_over(state: State, name: str) -> bool:
 
 def _shift(name: str, arrow: str, right: float, up: float) -> Action:
     do = partial(shifted, right=right, up=up)
-    chord = _key(f"{arrow}_arrow", SHIFT)
+    chord = key(f"{arrow}_arrow", SHIFT)
     return Action("Camera", name, f"Shift+{arrow.title()}", (chord,), do, repeats=True)
 
 
 ACTIONS: tuple[Action, ...] = (
     Action(
-        "File", "Open...", "Ctrl+O", (_key("o", CTRL),), partial(actions.show_sheet, sheet="open")
+        "File", "Open...", "Ctrl+O", (key("o", CTRL),), partial(actions.show_sheet, sheet="open")
     ),
-    Action("File", "Save setup", "Ctrl+S", (_key("s", CTRL),), actions.save_setup),
-    Action("File", "Save as...", "Ctrl+Shift+S", (_key("s", CTRL | SHIFT),), actions.name_to_save),
-    Action("File", "Save picture", "F12", (_key("f12"),), actions.take_picture),
+    Action("File", "Save setup", "Ctrl+S", (key("s", CTRL),), actions.save_setup),
+    Action("File", "Save as...", "Ctrl+Shift+S", (key("s", CTRL | SHIFT),), actions.name_to_save),
+    Action("File", "Save picture", "F12", (key("f12"),), actions.take_picture),
     Action(
         "File",
         "Copy as command line",
         "Ctrl+Shift+C",
-        (_key("c", CTRL | SHIFT),),
+        (key("c", CTRL | SHIFT),),
         actions.copy_command,
     ),
-    Action("File", "Quit", "Ctrl+Q", (_key("q", CTRL),), actions.quit_window),
-    Action("Edit", "Undo", "Ctrl+Z", (_key("z", CTRL),), actions.undo, repeats=True),
+    Action("File", "Quit", "Ctrl+Q", (key("q", CTRL),), actions.quit_window),
+    Action("Edit", "Undo", "Ctrl+Z", (key("z", CTRL),), actions.undo, repeats=True),
     Action(
         "Edit",
         "Redo",
         "Ctrl+Y or Ctrl+Shift+Z",
-        (_key("y", CTRL), _key("z", CTRL | SHIFT)),
+        (key("y", CTRL), key("z", CTRL | SHIFT)),
         actions.redo,
         repeats=True,
     ),
-    Action("Edit", "Reset to the loaded setup", "R", (_key("r"),), actions.reset),
-    _mode(Shading.FLAT.value, "Shift+F", _key("f", SHIFT)),
-    _mode(Shading.PER_VERTEX.value, "V or G", _key("v"), _key("g")),
-    _mode(Shading.PER_FRAGMENT.value, "P", _key("p")),
+    Action("Edit", "Reset to the loaded setup", "R", (key("r"),), actions.reset),
+    _mode(Shading.FLAT.value, "Shift+F", key("f", SHIFT)),
+    _mode(Shading.PER_VERTEX.value, "V or G", key("v"), key("g")),
+    _mode(Shading.PER_FRAGMENT.value, "P", key("p")),
     Action(
         "Shading",
         "Ray tracing, or back",
         "Y",
-        (_key("y"),),
+        (key("y"),),
         actions.toggle_tracing,
         on=lambda state: state.method == TRACED,
     ),
+    *radiosity_keys.METHODS,
     *(_term(i, term) for i, term in enumerate(TERMS, 1)),
-    Action("Lessons", "Go on", "Page Down", (_key("page_down"),), lesson_course.go_on),
-    Action("Lessons", "Back", "Page Up", (_key("page_up"),), lesson_course.go_back),
-    Action("Lessons", "Close the lesson", "Ctrl+L", (_key("l", CTRL),), lesson_course.close_lesson),
-    Action("Camera", "Frame the objects", "F", (_key("f"),), actions.frame_objects),
+    *radiosity_keys.SOLVER,
+    Action("Lessons", "Go on", "Page Down", (key("page_down"),), lesson_course.go_on),
+    Action("Lessons", "Back", "Page Up", (key("page_up"),), lesson_course.go_back),
+    Action("Lessons", "Close the lesson", "Ctrl+L", (key("l", CTRL),), lesson_course.close_lesson),
+    Action("Camera", "Frame the objects", "F", (key("f"),), actions.frame_objects),
     Action(
         "Camera",
         "Walk around, or stop",
         "Space",
-        (_key("space"),),
+        (key("space"),),
         actions.play,
         on=lambda state: state.playing,
     ),
-    Action("Camera", "Arrows from the side, or back", "O", (_key("o"),), stepped),
+    Action("Camera", "Arrows from the side, or back", "O", (key("o"),), stepped),
     _walk("Orbit left", "left", -STEP, 0.0),
     _walk("Orbit right", "right", STEP, 0.0),
     _walk("Orbit up", "up", 0.0, STEP),
@@ -148,7 +127,7 @@ ACTIONS: tuple[Action, ...] = (
         "Camera",
         "Nearer",
         "Page Up or +",
-        (_key("page_up"), _key("equal"), _key("equal", SHIFT), _key("keypad_add")),
+        (key("page_up"), key("equal"), key("equal", SHIFT), key("keypad_add")),
         partial(closer, factor=NOTCH),
         repeats=True,
     ),
@@ -156,7 +135,7 @@ ACTIONS: tuple[Action, ...] = (
         "Camera",
         "Farther",
         "Page Down or -",
-        (_key("page_down"), _key("minus"), _key("keypad_subtract")),
+        (key("page_down"), key("minus"), key("keypad_subtract")),
         partial(closer, factor=1.0 / NOTCH),
         repeats=True,
     ),
@@ -164,22 +143,22 @@ ACTIONS: tuple[Action, ...] = (
         "Window",
         "Compare: next layout",
         "Tab or C",
-        (_key("tab"), _key("c")),
+        (key("tab"), key("c")),
         actions.next_layout,
     ),
     Action(
         "Window",
         "Presentation: black, white",
         "F5",
-        (_key("f5"),),
+        (key("f5"),),
         presentation.next_presentation,
     ),
-    Action("Window", "Beginner or full layout", "B", (_key("b"),), presentation.next_level),
+    Action("Window", "Beginner or full layout", "B", (key("b"),), presentation.next_level),
     Action(
         "Window",
         "Show or hide the controls",
         "H",
-        (_key("h"),),
+        (key("h"),),
         actions.toggle_panel,
         on=lambda state: state.panel,
     ),
@@ -187,7 +166,7 @@ ACTIONS: tuple[Action, ...] = (
         "Window",
         "Shaders, to read and edit",
         "F4",
-        (_key("f4"),),
+        (key("f4"),),
         actions.toggle_shaders,
         on=lambda state: state.shaders,
     ),
@@ -196,29 +175,29 @@ ACTIONS: tuple[Action, ...] = (
     _overlay("Axes", "x", "axes"),
     _overlay("Handles of the lights", "l", "move_lights"),
     _overlay("Handles of the object", "m", "move_object"),
-    Action("Window", "Dark or light", "T", (_key("t"),), actions.toggle_theme),
+    Action("Window", "Dark or light", "T", (key("t"),), actions.toggle_theme),
     Action(
         "Window",
         "Larger text",
         "Ctrl +",
-        (_key("equal", CTRL), _key("equal", CTRL | SHIFT), _key("keypad_add", CTRL)),
+        (key("equal", CTRL), key("equal", CTRL | SHIFT), key("keypad_add", CTRL)),
         actions.larger_text,
     ),
     Action(
         "Window",
         "Smaller text",
         "Ctrl -",
-        (_key("minus", CTRL), _key("keypad_subtract", CTRL)),
+        (key("minus", CTRL), key("keypad_subtract", CTRL)),
         actions.smaller_text,
     ),
-    Action("Window", "Usual text", "Ctrl 0", (_key("_0", CTRL),), actions.usual_text),
-    Action("Window", "Forget the explained pixel", "Esc", (_key("escape"),), forget),
-    Action("Window", "End the presentation", "Esc", (_key("escape"),), presentation.ended),
+    Action("Window", "Usual text", "Ctrl 0", (key("_0", CTRL),), actions.usual_text),
+    Action("Window", "Forget the explained pixel", "Esc", (key("escape"),), forget),
+    Action("Window", "End the presentation", "Esc", (key("escape"),), presentation.ended),
     Action(
         "Help",
         "Keys",
         "F1 or ?",
-        (_key("f1"), _key("slash", SHIFT)),
+        (key("f1"), key("slash", SHIFT)),
         partial(actions.show_sheet, sheet="shortcuts"),
     ),
 )
@@ -273,6 +252,6 @@ def _modifiers() -> int:
     """The modifiers of this frame; one let go within it still counts for the keys in it."""
     keys = imgui.Key
     held = int(imgui.get_io().key_mods)
-    for key in (keys.mod_ctrl, keys.mod_shift, keys.mod_alt, keys.mod_super):
-        held |= key.value if imgui.is_key_released(key) else 0
+    for modifier in (keys.mod_ctrl, keys.mod_shift, keys.mod_alt, keys.mod_super):
+        held |= modifier.value if imgui.is_key_released(modifier) else 0
     return held

@@ -7,7 +7,10 @@ from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
+from playground.gui.atlas_look import AtlasLook
+from playground.gui.bake_log import BakeLog
 from playground.gui.clue import Clue
+from playground.gui.factor_view import FactorView
 from playground.gui.gizmos import Grip
 from playground.gui.guess import Guess
 from playground.gui.history import History
@@ -16,10 +19,12 @@ from playground.gui.mark_log import MarkLog
 from playground.gui.needs_log import NeedsLog
 from playground.gui.overlay_knobs import Overlays
 from playground.gui.presentation import backdrop
+from playground.gui.race_log import RaceLog
 from playground.gui.ray_view import RayView
 from playground.gui.reading import Reading
 from playground.gui.scope_path import Scope
 from playground.gui.snell import Bench
+from playground.gui.solving import Solving
 from playground.gui.speed_log import SpeedLog
 from playground.gui.stand import Stand
 from playground.gui.trace_knobs import TraceChalk
@@ -31,9 +36,14 @@ from playground.scene.setup import Setup
 CODE_VIEWS = ("files", "move the code")
 TWINS = ("none", "NumPy", "HLSL", "Cg")
 Texts = tuple[tuple[str, str], ...]  # files of shaders/ and what stands in them
-LAYOUTS = ("single", "side by side", "wipe", "terms", "difference")
+FIVE = "five answers"
+LAYOUTS = ("single", "side by side", "wipe", "terms", "difference", FIVE)
 REFERENCE = "reference"  # the float64 picture of the NumPy renderer, among the shadings
-RASTER, TRACED = METHODS = ("raster", "ray-tracing")
+PATHS = "path-traced"  # the picture by chance, for checking, also by NumPy
+RASTER, TRACED, RADIOSITY, LIGHTMAP = METHODS = ("raster", "ray-tracing", "radiosity", "lightmap")
+PAIRED = ("side by side", "wipe", "difference")  # layouts with two pictures
+CHOSEN = "as chosen"  # the first of two is made by the method and the shading
+STORED = (RADIOSITY, LIGHTMAP)  # these show light that was computed before
 SMALLEST_TEXT, LARGEST_TEXT = 0.8, 2.5
 
 
@@ -80,6 +90,9 @@ class State(Declared):
     speed: SpeedLog = field(default_factory=SpeedLog)
     needs: NeedsLog = field(default_factory=NeedsLog)
     mark_log: MarkLog = field(default_factory=MarkLog)
+    race: RaceLog = field(default_factory=RaceLog)
+    bake: BakeLog = field(default_factory=BakeLog)
+    atlas: AtlasLook = AtlasLook()
     pixel: tuple[float, float] | None = None  # that is explained: shares of width and height
     clue: Clue = field(default_factory=Clue)
     stand: Stand | None = None  # where the viewer of that pixel stands, seen from the side
@@ -90,17 +103,25 @@ class State(Declared):
     hint: str = ""  # what can be done with what is under the mouse
     rays: RayView = RayView()  # how the rays behind the pixel are shown
     chalk: TraceChalk = TraceChalk()
+    solving: Solving = Solving()
     bench: Bench = Bench()
+    factors: FactorView = FactorView()
     smooth: int = 1  # setups are opened with at least so many samples per pixel
 
     method: str = choice(
-        RASTER, METHODS, help="how the picture is made: triangle by triangle, or ray by ray (Y)"
+        RASTER, METHODS, help="how the picture is made: by triangles, by rays, or of light stored"
     )
     layout: str = choice("single", LAYOUTS, help="one picture, two to compare, or term by term")
+    first: str = choice(
+        CHOSEN,
+        (CHOSEN, REFERENCE, PATHS),
+        help="what is compared: by the method above, or by NumPy",
+    )
     other: str = choice(
         Shading.PER_VERTEX.value,
-        (*(mode.value for mode in Shading), REFERENCE, TRACED),
-        help="what it is compared with; the reference is per-fragment in float64, by NumPy",
+        (*(mode.value for mode in Shading), REFERENCE, TRACED, RADIOSITY, LIGHTMAP, PATHS),
+        help="what it is compared with; reference: per-fragment in float64; "
+        "path-traced: diffuse light by chance, to check radiosity; both by NumPy",
     )
     wipe: float = number(0.5, 0.0, 1.0, help="where the divider stands; drag it in the picture")
     magnify: float = number(
@@ -131,7 +152,9 @@ class State(Declared):
     @property
     def mode(self) -> str:
         """What the first picture is called where two are compared."""
-        return TRACED if self.method == TRACED else self.setup.settings.shading
+        if self.first != CHOSEN and self.layout in PAIRED:
+            return self.first
+        return self.setup.settings.shading if self.method == RASTER else self.method
 
     def say(self, message: str) -> State:
         """The same with a message in the status line."""

@@ -19,8 +19,8 @@ from playground.scene.setup import Setup
 ROWS = 2  # of text
 
 
-def draw(state: State, numbers: str) -> None:
-    """Two rows: message and numbers; what the pictures need of the renderer."""
+def draw(state: State, numbers: str, light: str = "") -> None:
+    """Two rows: message and numbers; what the pictures need of the renderer, or of ``light``."""
     alarm = state.failed and not state.hint
     message = state.hint or state.message or state.setup.scene.title or state.setup.name
     if alarm:
@@ -35,8 +35,11 @@ def draw(state: State, numbers: str) -> None:
         imgui.pop_style_color()
     imgui.same_line(start)
     imgui.text_disabled(text)
-    line = "needs: " + described(state.setup)
+    line = light or "needs: " + described(state.setup)
     imgui.text_disabled(_cut(line, imgui.get_content_region_avail().x))
+    if light:
+        imgui.set_item_tooltip(_wrapped(light))
+        return
     imgui.set_item_tooltip(
         "the features that this scene uses; nothing else is compiled or computed\n" + _wrapped(line)
     )

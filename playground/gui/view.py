@@ -7,7 +7,18 @@ from dataclasses import replace
 from imgui_bundle import imgui
 
 from playground.errors import PlaygroundError
-from playground.gui import arrows, difference_view, formulas, layers, pixel_pick, ray_pen
+from playground.gui import (
+    arrows,
+    difference_view,
+    factor_pen,
+    formulas,
+    layers,
+    patch_pick,
+    pixel_pick,
+    ray_pen,
+    stored_words,
+    texel_mark,
+)
 from playground.gui.comparison import Picture, formula_box, pictures
 from playground.gui.guess import masked
 from playground.gui.navigation import navigated
@@ -24,7 +35,8 @@ def draw(state: State, slots: Slots, scale: float) -> tuple[State, bool]:
     dense = imgui.get_io().display_framebuffer_scale
     width, height = max(int(space.x * dense.x), 1), max(int(space.y * dense.y), 1)
     state, held = navigated(state, imgui.ImVec2(space.x, space.y))
-    state = pixel_pick.picked(state, origin, (width, height))
+    pick = patch_pick.picked if state.factors.picking else pixel_pick.picked
+    state = pick(state, origin, (width, height))
     state = _divider(state, origin, space, scale) if state.layout == "wipe" else state
     state = layers.held(state, pictures(state, width, height), origin, dense, scale)
     shown = pictures(state, width, height)
@@ -36,6 +48,7 @@ def draw(state: State, slots: Slots, scale: float) -> tuple[State, bool]:
     for picture, texture in zip(layers.captioned(shown, slots), textures, strict=True):
         _place(picture, texture.glo, origin, dense, scale)
     layers.draw(state, shown, origin, dense, scale)
+    stored_words.draw(shown, slots.stored, origin, dense)
     if state.layout == "difference":
         state = difference_view.legend(state, slots, origin, space, scale)
     if state.layout == "terms":
@@ -47,6 +60,8 @@ def draw(state: State, slots: Slots, scale: float) -> tuple[State, bool]:
         state = ray_pen.draw(state, shown, origin, dense, scale)
     else:
         state = arrows.draw(state, shown, origin, scale)
+    factor_pen.draw(state, shown, origin, dense, scale)
+    state = texel_mark.draw(state, shown, slots.atlas, origin, dense, scale)
     error = masked(state, slots.shader_error)
     if error != state.shader_error:
         state = replace(state, shader_error=error)

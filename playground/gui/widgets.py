@@ -8,15 +8,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from imgui_bundle import imgui
 
 from playground.errors import PlaygroundError
 from playground.gui import spans
+from playground.gui.factor_told import FactorTold
+from playground.gui.radiosity_told import RadiosityTold
 from playground.gui.tracing_told import TracingTold
 from playground.gui.typeset import typeset
 from playground.scene.knob import Knob, knobs
+
+if TYPE_CHECKING:
+    from playground.gui.atlas_picture import AtlasPicture
 
 COLOUR_FLAGS = (
     imgui.ColorEditFlags_.float.value
@@ -35,6 +40,9 @@ class Ui:
     refused: list[str] = field(default_factory=list)
     view: tuple[int, int] = (1, 1)  # size of the view, in pixels of the framebuffer
     tracing: TracingTold = TracingTold()
+    atlas: AtlasPicture | None = None
+    factors: FactorTold = FactorTold()
+    radiosity: RadiosityTold = RadiosityTold()
 
 
 def edit(ui: Ui, item: Item, only: Iterable[str] = (), skip: Iterable[str] = ()) -> Item:

@@ -21,12 +21,16 @@ SETTINGS, SCENE, CAMERA = ("settings",), ("scene",), ("camera",)
 OBJECT, LIGHT = ("scene", "objects", 0), ("scene", "lights", 0)
 WEIGHTS = tuple(f"{term}_weight" for term in TERMS)
 TRACING = ("depth", "threshold", "light_samples", "fresnel", "surfaces", "clear_shadows")
+RADIOSITY = ("patches", "refinement", "form_factors", "hemicube", "occlusion", "normalise")
+SOLVER = ("solver", "convergence", "light_shown")
 DISPLAY = ("exposure", "clamp", "curve", "samples", "precision", "marks")
 UNFOLDED = "Lights/$$0/###light"
 PARTS = (  # where in the controls, where in the setup, of which class, which knobs
     ("View", SETTINGS, Settings, ("shading",)),
     ("Terms", SETTINGS, Settings, (*WEIGHTS, "highlight", "gate")),
     ("Ray tracing", SETTINGS, Settings, TRACING),
+    ("Radiosity", SETTINGS, Settings, (*RADIOSITY, *SOLVER)),
+    ("Radiosity", SCENE, Scene, ("lightmap",)),
     ("Display", SETTINGS, Settings, DISPLAY),
     ("Material", (*OBJECT, "material"), Material, tuple(knobs(Material))),
     ("Scene", OBJECT, Object, ("tessellation", "normals")),

@@ -10,17 +10,20 @@ from time import monotonic
 import pytest
 from test_controls import PARTS, UNFOLDED, choose, opened
 
+from playground.gui import bake_log, race_log
 from playground.gui.clue import Clue
+from playground.gui.factor_table import TITLES
+from playground.gui.factor_view import FactorView
 from playground.gui.overlay_knobs import Overlays
 from playground.gui.panels import PANELS
 from playground.gui.snell import MEDIA, Bench
-from playground.gui.state import TRACED
+from playground.gui.state import LIGHTMAP, PATHS, RADIOSITY, TRACED
 from playground.measure.popping import orbit
 from playground.render.gl.bugs import zoo
 from playground.scene.knob import knobs
 from playground.scene.library import load
 from playground.scene.light import SpotLight
-from playground.scene.settings import MARKS, TERMS
+from playground.scene.settings import MARKS, SOLVERS, TERMS
 
 pytestmark = pytest.mark.gl
 BUG = "missing-max"
@@ -31,6 +34,8 @@ SEVERAL = {"colour": ("/##X", "/##Y", "/##Z", "/##ColorButton"), "vector": ("/$$
 CONTROLS, FOLDS, SHOWS, TITLE = "test_controls", "folds", "shows a colour", "of a column"
 WIDGETS, EXPLAIN, ZOO = "test_widgets", "test_explain_panel", "test_bug_zoo"
 SCOPE, COMFORTS, TRACING = "test_popping_panel", "test_comforts", "test_tracing"
+FACTORS = "test_form_factor_panel"
+RACE, ATLAS = "test_solver_race", "test_lightmap_panel"
 
 
 def prepare(hands, **changes):
@@ -68,6 +73,49 @@ def followed(hands):
     hands.window.state = replace(hands.state, method=TRACED, pixel=(0.66, 0.63), clue=Clue())
     hands.frames(3)
     hands.window.state = replace(hands.state, rays=replace(hands.state.rays, step=1))
+
+
+def solving(hands):
+    hands.load("cornell-box", patches=60)
+    shown = replace(hands.state.solving, by_bounce=True)
+    hands.window.state = replace(hands.state, method=RADIOSITY, solving=shown)
+    hands.frames(3)
+
+
+def paired(hands):
+    """Two patches that face each other, and all that is told of them."""
+    hands.load("facing-plates", patches=60)
+    hands.window.state = replace(hands.state, factors=FactorView(picking=True))
+    until = monotonic() + 60
+    while hands.state.factors.of is None and monotonic() < until:
+        hands.frames(1)
+    view = replace(hands.state.factors, one=1, other=len(hands.state.factors.of) - 2)
+    hands.window.state = replace(hands.state, factors=view)
+    hands.frames(2)
+    while hands.window.slots.factors.now.working and monotonic() < until:
+        hands.frames(1)
+
+
+def after_race(hands):
+    """One solver has run to its end."""
+    hands.load("furnace", patches=60)
+    race = replace(hands.state.race, solvers=("conjugate-gradients",), books_of="jacobi")
+    hands.window.state = race_log.started(replace(hands.state, race=race))
+    until = monotonic() + 60
+    while hands.state.race.running and monotonic() < until:
+        hands.frames(1)
+    race = replace(hands.state.race, solvers=SOLVERS, books_of="conjugate-gradients")
+    hands.window.state = replace(hands.state, race=race)
+
+
+def with_lightmap(hands):
+    """A setup that was baked."""
+    hands.load("facing-plates", patches=60)
+    small = replace(hands.state.bake, size=32, rays=0)
+    hands.window.state = bake_log.asked(replace(hands.state, bake=small))
+    until = monotonic() + 60
+    while hands.state.bake.running and monotonic() < until:
+        hands.frames(1)
 
 
 def off_path(hands):
@@ -114,6 +162,14 @@ def of_medium(side, name):
     return lambda old, new: getattr(new.bench, side) == MEDIA[name]
 
 
+def leaves_out(name):
+    return lambda old, new: name not in new.race.solvers
+
+
+def coloured(name):
+    return lambda old, new: new.factors.colouring == name
+
+
 def cuts_off(ray):
     return lambda old, new: new.rays.pruned == {ray}
 
@@ -133,7 +189,10 @@ SITUATIONS = {  # panel, how to come there, its controls but for the knobs of th
         {
             "raster##method": TRACING,
             "ray-tracing##method": lambda old, new: new.method == TRACED,
+            "radiosity##method": lambda old, new: new.method == RADIOSITY,
+            "lightmap##method": lambda old, new: new.method == LIGHTMAP,
             "##layout": WIDGETS,
+            "##first": ("path-traced", lambda old, new: new.first == PATHS),
             "##other": ("reference", lambda old, new: new.other == "reference"),
             "Frame": lambda old, new: new.setup.camera != old.setup.camera,
             "###orbit": lambda old, new: new.playing,
@@ -245,6 +304,73 @@ SITUATIONS = {  # panel, how to come there, its controls but for the knobs of th
             "##tests": lambda old, new: new.chalk.tests,
         },
     ),
+    "radiosity": (
+        "Radiosity",
+        solving,
+        {
+            "###play": lambda old, new: not new.solving.playing,
+            "Step": lambda old, new: new.solving.singles == old.solving.singles + 1,
+            "Restart": lambda old, new: new.solving.restarts == old.solving.restarts + 1,
+            "flat patches": lambda old, new: new.setup.settings.shading == "flat",
+            "outlines of the patches": lambda old, new: new.solving.outlines,
+            "mark who shoots": lambda old, new: new.solving.shooter,
+            "by bounce": lambda old, new: not new.solving.by_bounce,
+            "##bounces": (3, lambda old, new: new.solving.bounces == 3),
+        },
+    ),
+    "race": (
+        "Solvers",
+        after_race,
+        {
+            **{f"lanes/##{name}": leaves_out(name) for name in SOLVERS},
+            **{
+                f"lanes/$${i}/{title}": TITLE
+                for i, title in enumerate(("solver", "steps", "time", "rows", "left"))
+            },
+            "##goal": (1e-3, lambda old, new: new.race.goal == 1e-3),
+            "time##against": RACE,
+            "steps##against": lambda old, new: new.race.against == "steps",
+            "light left##drawn": RACE,
+            "error##drawn": lambda old, new: new.race.drawn == "error",
+            "###race": lambda old, new: new.race.running,
+            "Copy as CSV": lambda old, new: "copied" in new.message,
+            "##books_of": ("direct", lambda old, new: new.race.books_of == "direct"),
+            "##channel": ("red", lambda old, new: new.race.channel == "red"),
+        },
+    ),
+    "lightmap": (
+        "Lightmap",
+        with_lightmap,
+        {
+            "##size": (64, lambda old, new: new.bake.size == 64),
+            "##rays": (16, lambda old, new: new.bake.rays == 16),
+            "###bake": lambda old, new: new.bake.running,
+            "###draw": lambda old, new: new.method == LIGHTMAP,
+            "Forget it": lambda old, new: new.setup.scene.lightmap == "",
+            "all##light_shown": ATLAS,
+            "direct##light_shown": lambda old, new: new.setup.settings.light_shown == "direct",
+            "indirect##light_shown": lambda old, new: new.setup.settings.light_shown == "indirect",
+            "borders": lambda old, new: not new.atlas.borders,
+            "dilated": lambda old, new: not new.atlas.dilated,
+            "##zoom": (4.0, lambda old, new: new.atlas.zoom == 4.0),
+            "##atlas": ATLAS,
+        },
+    ),
+    "factors": (
+        "Form factors",
+        paired,
+        {
+            "##picking": lambda old, new: not new.factors.picking,
+            "Swap##pair": lambda old, new: new.factors.one == old.factors.other,
+            "×##pair": lambda old, new: new.factors.one is None,
+            "##resolution": (16, lambda old, new: new.factors.resolution == 16),
+            **{f"{name}##colouring": coloured(name) for name in ("light", "delta", "patch")},
+            "##hemicube": FACTORS,
+            "##across": (0.25, lambda old, new: new.factors.across == 0.25),
+            "##along": (0.75, lambda old, new: new.factors.along == 0.75),
+            **{f"methods/$${i}/{title}": TITLE for i, title in enumerate(TITLES)},
+        },
+    ),
     "bench": (
         "Snell bench",
         at_bench,
@@ -291,7 +417,7 @@ SITUATIONS = {  # panel, how to come there, its controls but for the knobs of th
         },
     ),
 }
-PLOTS = ("##brightest point of the highlight", "##mean brightness", "##dots")
+PLOTS = ("##brightest point of the highlight", "##mean brightness", "##dots", "##race", "##energy")
 PLOT_PARTS = 8  # ImPlot numbers the area and the axes of a plot after the plot
 
 

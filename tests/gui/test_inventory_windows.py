@@ -15,7 +15,7 @@ from test_needs_panel import measured
 from playground.gui.needs_log import NOTHING, dropped
 from playground.gui.shader_edit import running
 from playground.gui.shortcuts import ACTIONS
-from playground.gui.state import CODE_VIEWS, TWINS
+from playground.gui.state import CODE_VIEWS, FIVE, TWINS
 from playground.measure.advice import METRICS
 from playground.scene.library import library
 from playground.scene.settings import TERMS, Shading
@@ -153,6 +153,12 @@ CHOSEN = {  # what each line of the menus does, on the teapot with a pixel and a
     "Reset to the loaded setup": lambda old, new: new.setup == new.loaded,
     **{mode.value: shading(mode.value) for mode in Shading},
     "Ray tracing, or back": turned("method"),
+    "Radiosity, or back": turned("method"),
+    "Lightmap, or back": turned("method"),
+    "Solve on, or wait": lambda old, new: new.solving.playing != old.solving.playing,
+    "One step": lambda old, new: new.solving.singles == old.solving.singles + 1,
+    "Solve from the beginning": lambda old, new: new.solving.restarts > old.solving.restarts,
+    "One scene, five answers": lambda old, new: new.layout == FIVE,
     **{f"{name} on or off": term(name) for name in TERMS},
     **dict.fromkeys(("Go on", "Back", "Close the lesson"), "need a lesson: test_lesson"),
     "Frame the objects": camera,
