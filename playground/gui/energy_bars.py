@@ -57,7 +57,7 @@ def legend(theme: str) -> None:
         imgui.set_cursor_screen_pos(imgui.ImVec2(at.x + 0.9 * size, at.y))
         imgui.text(name)
     imgui.same_line(0.0, size)
-    imgui.text_disabled("line: emitted, 100 %")
+    imgui.text_disabled("line: 100 %")
 
 
 @kept_for_same(2)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from playground.gui.long_work import Progress
 from playground.measure.solver_race import MOST_PATCHES, Lap, News
 from playground.render.radiosity.depends import FACTORS
-from playground.scene.knob import Declared, choice, names, number
+from playground.scene.knob import Declared, choice, names
 from playground.scene.settings import SOLVERS, Settings
 from playground.scene.setup import Setup
 
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from playground.gui.state import State
 
 CHANNELS = ("summed", "red", "green", "blue")
+GOALS = ("1e-2", "1e-3", "1e-4", "1e-6", "1e-8", "1e-10")
 PARTS = ("absorbed", "escaped", "unshot")  # of what is emitted, as they are stacked
 
 
@@ -44,9 +45,7 @@ class RaceLog(Declared):
     lanes: tuple[Lane, ...] = ()
     error: str = ""
     solvers: tuple[str, ...] = names(SOLVERS, SOLVERS, help="who takes part in the next race")
-    goal: float = number(
-        1e-6, 1e-12, 0.1, scale="log", help="share of the light left at which a solver has arrived"
-    )
+    goal: str = choice("1e-6", GOALS, help="share of the light left at which a solver has arrived")
     against: str = choice(
         "time", ("time", "steps"), help="seconds each would take alone, or sweeps and shots"
     )

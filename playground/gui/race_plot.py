@@ -15,7 +15,7 @@ from playground.measure.solver_race import Lap
 from playground.scene.settings import SOLVERS
 
 HEIGHT = 15.0  # of the plot, in heights of the text
-LEAST = 1e-16  # what is less is rounding, and is drawn here
+LEAST = 1e-12  # what is less is drawn here, so that it does not squeeze the others
 Curve = tuple[np.ndarray, np.ndarray]
 
 

@@ -41,7 +41,7 @@ class RaceRun:
         if self._work is None or log.of is not self._of:
             self.close()
             solvers = tuple(lane.solver for lane in log.lanes)
-            self._of, self._work = log.of, ProcessWork(RaceJob(log.of, solvers, log.goal))
+            self._of, self._work = log.of, ProcessWork(RaceJob(log.of, solvers, float(log.goal)))
         try:
             told = self._work.take()
         except PlaygroundError as error:

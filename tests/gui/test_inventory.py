@@ -327,7 +327,7 @@ SITUATIONS = {  # panel, how to come there, its controls but for the knobs of th
                 f"lanes/$${i}/{title}": TITLE
                 for i, title in enumerate(("solver", "steps", "time", "rows", "left"))
             },
-            "##goal": (1e-3, lambda old, new: new.race.goal == 1e-3),
+            "##goal": ("1e-3", lambda old, new: new.race.goal == "1e-3"),
             "time##against": RACE,
             "steps##against": lambda old, new: new.race.against == "steps",
             "light left##drawn": RACE,

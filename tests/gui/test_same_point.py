@@ -40,7 +40,7 @@ def test_hiding_the_controls_and_comparing_keep_the_point(hands):
     hands.click(*POINT)
     first = point(hands)
     assert first is not None
-    for key in ("h", "h", "f4", "f4", "tab", "tab", "tab", "tab", "tab"):
+    for key in ("h", "h", "f4", "f4", *6 * ("tab",)):
         hands.key(key)
         hands.frames(2)
         # The point under the middle of a pixel, in pictures down to 200 pixels: 2 % of the teapot.

@@ -30,7 +30,7 @@ EPS = np.finfo(float).eps
 def raced(setup, solvers=SOLVERS, goal=1e-6):
     """The log of a race that has come to its end, in this process."""
     state = start(setup)
-    state = race_log.started(replace(state, race=replace(state.race, solvers=solvers, goal=goal)))
+    state = race_log.started(replace(state, race=replace(state.race, solvers=solvers)))
     log = state.race
     for news in racing(log.of, solvers, goal, "numpy"):
         log = log.with_news(news)

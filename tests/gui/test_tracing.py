@@ -372,7 +372,7 @@ def test_a_ray_under_the_mouse_is_lit(hands):
     settle(hands)
     lit = set()
     for x in range(100, 900, 20):
-        hands.io.add_mouse_pos_event(float(x), 352.0)
+        hands.io.add_mouse_pos_event(float(x), 328.0)
         hands.frames(1)
         lit.add(hands.state.rays.lit)
     assert {-1, 2} <= lit

@@ -111,9 +111,10 @@ def test_the_divider_of_the_wipe_is_dragged_and_splits_the_picture(hands):
     for _ in range(2):
         hands.key("c")
     assert hands.state.layout == "wipe"
-    camera, x = hands.state.setup.camera, 920 * 0.5
+    wide = hands.window.view_box()[2]
+    camera, x = hands.state.setup.camera, wide * 0.5
     hands.drag((x, 350), (300, 350))
-    assert hands.state.wipe == pytest.approx(300 / 920, abs=0.01)
+    assert hands.state.wipe == pytest.approx(300 / wide, abs=0.01)
     assert hands.state.setup.camera == camera
     seen = hands.pixels()
     size = (seen.shape[1], seen.shape[0])

@@ -28,6 +28,10 @@ class GLStored(StoredDrawing, GLRenderer):
         """Draw ``setup``; see `playground.render.renderer.Renderer.render`."""
         return self._told(super().render(setup, out))
 
+    def ask_again(self) -> None:
+        """The light has become another one while scene and settings stay: ask for it anew."""
+        self._drawn = (None, None)
+
     def close(self) -> None:
         """Free the GPU memory, and what the light holds."""
         super().close()

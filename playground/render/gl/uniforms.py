@@ -35,15 +35,17 @@ def view_uniforms(surface: Surface, view: View, precision: str = "native") -> di
         "camera_from_world": view.camera_from_world,  # these two are for the bug zoo alone
         "world_unit": view.scale,
     }
+    lit = any(light.diffuse.any() or light.specular.any() for light in surface.lights)
+    met = surface.lights if lit else ()  # those of stored light have done their work
     for kind in ("point", "spot"):
-        lights = [light for light in surface.lights if light.kind == kind]
+        lights = [light for light in met if light.kind == kind]
         if lights:
             standing = [(x.position, x.attenuation) for x in lights if x.position is not None]
             limit = farthest(np.float16 if precision == "float16" else np.float32)
             places = [view.light_place(position, k, limit) for position, k in standing]
             values[f"{kind}_position"] = [position for position, _ in places]
             values[f"{kind}_attenuation"] = [attenuation for _, attenuation in places]
-    areas = [view.corners(x.corners) for x in surface.lights if x.corners is not None]
+    areas = [view.corners(x.corners) for x in met if x.corners is not None]
     if areas:  # all with as many corners: the last one repeated adds edges without length
         most = max(len(corners) for corners in areas)
         padded = [np.pad(x, ((0, most - len(x)), (0, 0)), "edge") for x in areas]

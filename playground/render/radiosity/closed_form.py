@@ -53,8 +53,12 @@ class ClosedForm:
         size = len(patches)
         self._dtype = np.float64 if gpu is None else np.float32
         keeps = size * size * np.dtype(self._dtype).itemsize <= MOST_BYTES
+        # A column for each row that is known, in the order in which they came: what these know of
+        # a patch lies side by side, and a search through all of memory is saved.
         self._kept = np.empty((size, size) if keeps else (0, 0), dtype=self._dtype)
-        self._known = np.zeros(size, dtype=bool)
+        self._slot = np.full(size, -1, dtype=np.intp)  # which column holds the row of a patch
+        self._patch = np.empty(size, dtype=np.intp)  # whose row is in a column
+        self._count = 0
 
     def __call__(self, chosen: ArrayLike) -> Array:
         """The rows of the chosen patches, (k, N)."""
@@ -70,13 +74,21 @@ class ClosedForm:
         """A_i F_ij, (k, N): from the rows that are known, and what is missing."""
         if not self._kept.size:
             return self._compute(chosen, np.arange(len(self._patches)))
-        fresh = np.unique(chosen[~self._known[chosen]])
+        fresh = np.unique(chosen[self._slot[chosen] < 0])
         if len(fresh):
-            known, missing = np.flatnonzero(self._known), np.flatnonzero(~self._known)
-            self._kept[fresh[:, None], known] = self._kept[known[:, None], fresh].T
-            self._kept[fresh[:, None], missing] = self._compute(fresh, missing)
-            self._known[fresh] = True
-        return np.asarray(self._kept[chosen])
+            self._learn(fresh)
+        return np.asarray(self._kept[:, self._slot[chosen]].T)
+
+    def _learn(self, fresh: Ints) -> None:
+        """Compute and keep rows that are not known."""
+        known, missing = self._patch[: self._count], np.flatnonzero(self._slot < 0)
+        columns = slice(self._count, self._count + len(fresh))
+        powers = np.empty((len(fresh), len(self._slot)), dtype=self._dtype)
+        powers[:, known] = self._kept[fresh, : self._count]
+        powers[:, missing] = self._compute(fresh, missing)
+        self._kept[:, columns] = powers.T
+        self._slot[fresh], self._patch[columns] = np.arange(columns.start, columns.stop), fresh
+        self._count = columns.stop
 
     def _compute(self, rows: Ints, columns: Ints) -> Array:
         """A_i F_ij of rows and columns, (k, c)."""

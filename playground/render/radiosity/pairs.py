@@ -71,9 +71,10 @@ def by_size(patches: Patches, i: Ints, j: Ints) -> tuple[Ints, Ints]:
 def near(patches: Patches, i: Ints, j: Ints) -> Bools:
     """Which pairs are too near for a few points; of the shape of i and j together."""
     away = patches.polygon - patches.centre[:, None]
-    radius = np.sqrt(np.max(dot(away, away), axis=1))
-    apart = patches.centre[i] - patches.centre[j]
-    return np.asarray(dot(apart, apart) < (NEAR * (radius[i] + radius[j])) ** 2)
+    reach = NEAR * np.sqrt(np.max(dot(away, away), axis=1))
+    x, y, z = patches.centre.T  # number by number: i and j may be rows and columns of many pairs
+    squared = (x[i] - x[j]) ** 2 + (y[i] - y[j]) ** 2 + (z[i] - z[j]) ** 2
+    return np.asarray(squared < (reach[i] + reach[j]) ** 2)
 
 
 def exact(patches: Patches, i: Ints, j: Ints) -> Array:

@@ -101,6 +101,11 @@ class Radiosity:
         return FormFactors(self._rows, self.patches, settings.normalise)
 
     @cached_property
+    def lamps(self) -> Array:
+        """The light D that arrives straight from directional, point and spot lights, (N, 3)."""
+        return direct_light(self.setup, self.patches)
+
+    @cached_property
     def system(self) -> System:
         """The equation C = E + ρ (D + F C) that is solved."""
         return System(
@@ -108,7 +113,7 @@ class Radiosity:
             area=self.patches.area,
             reflectance=self.patches.reflectance,
             emission=self.patches.emission,
-            direct=direct_light(self.setup, self.patches),
+            direct=self.lamps,
         )
 
     def steps(self) -> Iterator[Step]:
@@ -246,7 +251,7 @@ class Radiosity:
         if finer is self.patches:
             return False
         self.close()
-        for name in ("patches", "form_factors", "system", "direct"):
+        for name in ("patches", "form_factors", "lamps", "system", "direct"):
             self.__dict__.pop(name, None)
         self._drawn.clear()
         self.patches, self.step = finer, None
