@@ -39,6 +39,7 @@ _HOMES = {
     "Image": "playground.render.image",
     "open_renderer": "playground.render.renderer",
     "radiosity": "playground.render.radiosity.result",
+    "PathTracing": "playground.render.trace.path",
     "compare": "playground.measure.compare",
     "PlaygroundError": "playground.errors",
 }

@@ -58,9 +58,9 @@ def show(
         Of the picture in the handout; without one there is none.
     shows : function of the Image
         Whether the picture shows what the caption says; needed with a caption.
-    method : {"raster", "ray-tracing"}
+    method : {"raster", "ray-tracing", "radiosity", "lightmap"}
     beside : str, optional
-        What the window shows to compare: a shading, ``"reference"`` or ``"ray-tracing"``.
+        What the window shows to compare: a shading, ``"reference"`` or a method.
     layout : str, optional
         Of the window: ``"side by side"`` (default with ``beside``), ``"wipe"``, ``"terms"``, ...
     pixel : (float, float), optional

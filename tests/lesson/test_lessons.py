@@ -34,7 +34,7 @@ PLAN = {
     15: {19, 20},
     16: {2},
 }
-LIBRARIES = {"math", "numpy", "playground", "tempfile", "time"}
+LIBRARIES = {"atexit", "math", "numpy", "playground", "shutil", "tempfile", "time"}
 WORDS = {"figure", "goal", "listing", "number", "plot", "predict", "show"}
 
 

@@ -34,8 +34,8 @@ PATCHES = {
     "half": "the edges are taken for half edges, so that each patch is too large",
 }
 PIECES = 4  # along each edge of a patch
-COUNT, FEW, SIZE, SEED = 240, 60, 80, 14
-TILES = 16  # of the picture of patches, along an edge
+COUNT, FEW, SIZE, SEED = 240, 60, 60, 14
+TILES = 10  # of the picture of patches, along an edge
 BRIGHT = 3.0  # of the picture: a form factor of 1/3 is white
 
 
@@ -109,21 +109,24 @@ def _mistakes(made: Callable[..., Array], named: dict[str, str]) -> dict[str, Ca
 
 
 def _cases() -> dict[str, Arrays]:
-    """Points half a unit to two apart, most facing each other; small patches, all of them apart."""
+    """Points half a unit to two apart, most facing each other; small patches, two to three apart.
+
+    Of the patches the first three quarters face each other, the others lie as it comes.
+    """
     rng = np.random.default_rng(SEED)
     x, way = rng.uniform(-1.0, 1.0, (COUNT, 3)), unit(rng.normal(size=(COUNT, 3)))
     normals = [unit(s * way + rng.normal(size=(COUNT, 3))) for s in (1.0, -1.0)]
     normal_x, normal_y = (n * rng.uniform(0.5, 2.0, (COUNT, 1)) for n in normals)
     points = x, normal_x, x + way * rng.uniform(0.5, 2.0, (COUNT, 1)), normal_y
 
-    # Patches: across the way between them, more or less; two units apart, edges up to one.
     some = way[:FEW]
+    tilt = np.where(np.arange(FEW) < 3 * FEW // 4, 0.3, 2.0)[:, None]
     middle = rng.uniform(-1.0, 1.0, (FEW, 3))
     corners = [middle, middle + some * rng.uniform(2.0, 3.0, (FEW, 1))]
     patches = []
     for corner, facing in zip(corners, (1.0, -1.0), strict=True):
         first = unit(cross(some, rng.normal(size=(FEW, 3))))
-        second = facing * unit(cross(some, first) + 0.3 * rng.normal(size=(FEW, 3)))
+        second = facing * unit(cross(some, first) + tilt * rng.normal(size=(FEW, 3)))
         sizes = rng.uniform(0.4, 1.0, (2, FEW, 1))
         patches += [corner, sizes[0] * first, sizes[1] * second]
     return {"point_to_point": points, "patch_to_patch": tuple(patches)}
@@ -131,7 +134,7 @@ def _cases() -> dict[str, Arrays]:
 
 def _picture(student: Student) -> Image:
     """A floor below a slanted lamp: left by points, right by patches of floor and lamp."""
-    corner, first, second = (-0.7, 0.55, 0.35), (0.0, -0.9, 0.0), (0.7, 0.0, 0.5)
+    corner, first, second = (-0.7, -0.45, 0.35), (0.0, 0.9, 0.0), (0.5, 0.0, 0.7)
     lamp = [np.array(vector) for vector in (corner, first, second)]
     normal = cross(lamp[1], lamp[2])
     centre, area = lamp[0] + 0.5 * (lamp[1] + lamp[2]), float(np.sqrt(dot(normal, normal)))
@@ -143,10 +146,12 @@ def _picture(student: Student) -> Image:
 
     edge = 2.4 / TILES
     tiles = _floor(TILES) - (0.5 * edge, 0.5 * edge, 0.0)
-    sides = [np.broadcast_to(v, tiles.shape) for v in ([edge, 0.0, 0.0], [0.0, edge, 0.0], *lamp)]
+    edges = [np.array([edge, 0.0, 0.0]), np.array([0.0, edge, 0.0])]
+    sides = [np.broadcast_to(vector, tiles.shape) for vector in (*edges, *lamp)]
     right = student.call("patch_to_patch", (tiles, *sides)).reshape(TILES, TILES)
     right = right.repeat(SIZE // TILES, axis=0).repeat(SIZE // TILES, axis=1)
-    both = np.concatenate([left, right], axis=1)[..., None].repeat(3, axis=2)
+    both = np.concatenate([left, right], axis=1).repeat(2, axis=0).repeat(2, axis=1)
+    both = both[..., None].repeat(3, axis=2)
     return Image(np.clip(np.nan_to_num(BRIGHT * both), -1e3, 1e3).astype(np.float32))
 
 
