@@ -38,8 +38,8 @@ predict(
     "If the same room is drawn with local illumination alone, what will *not* be in the picture?",
     "the highlight on the glass ball",
     "the brightness of the floor, which falls off to the sides",
-    "the shadows of the balls on the floor",
-    answer="the shadows of the balls on the floor",
+    "the shadow of the mirror ball on the floor",
+    answer="the shadow of the mirror ball on the floor",
     why="For a shadow, a point of the floor would have to know of the ball between it and the "
     "lamp. That is another surface, so local illumination cannot ask.",
 )
@@ -62,7 +62,8 @@ show(
 
 # %% [markdown] tags=["notes"]
 # Let the class list what is missing before the next step: shadows, mirror images, refraction, and
-# the light that the coloured walls should throw on the floor.
+# the light that the coloured walls should throw on the floor. Somebody may ask for the shadow of
+# the glass ball: our shadow rays go straight through glass, which lesson 12 comes back to.
 
 # %% [markdown] slides=[2] minutes=5
 # ## Global illumination

@@ -37,7 +37,7 @@ predict(
     "Noon is over and the sun goes down, until its light comes from 60° away from straight above. "
     "How bright is the field?",
     "as before: the light is as strong as it was",
-    "two thirds as bright, as 30 of 90 degrees are left",
+    "a third as bright, as 30 of 90 degrees are left",
     "half as bright",
     answer="half as bright",
     why=r"A beam that is one metre wide now lies on $1/\cos 60°$ = 2 metres of ground: each point "
@@ -63,11 +63,14 @@ show(lit_from(field, 60), pixel=(0.5, 0.5))
 # $n \cdot l$, which is why the formula needs no angle at all.
 
 # %% [markdown] tags=["notes"]
-# A torch and a sheet of paper show it: tilt the sheet and the spot of light gets longer. Most
-# of the class predict two thirds. In the window, the panel Lights turns the sun.
+# A torch and a sheet of paper show it: tilt the sheet and the spot of light gets longer. Whoever
+# says "a third" counts degrees. In the window, the panel Lights turns the sun.
 
 # %% [markdown] slides=[4] minutes=3
 # ## And below the horizon?
+#
+# Let the sun sink on, past the horizon: the angle between $n$ and $l$ grows beyond 90°, and its
+# cosine goes on falling. Should the brightness, too?
 
 # %%
 angles = np.arange(0, 181, 5)

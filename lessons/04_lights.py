@@ -79,8 +79,8 @@ table = on_floor(sun).with_(
     terms=["diffuse", "ambient"],
 )
 table = table.with_(eye=(0, 3.4, 6), target=(0, 0.1, 0), up=(0, 1, 0), fov=34)
-four = [pg.render(table.with_(lights=[light]), (150, 100)) for light in kinds.values()]
-row = (50, slice(31, 75))  # of the floor, from near its left edge to its middle
+four = [pg.render(table.with_(lights=[light]), (174, 116)) for light in kinds.values()]
+row = (58, slice(36, 87))  # of the floor, from near its left edge to its middle
 
 
 def evenness(picture):
@@ -146,7 +146,7 @@ def under(light):
     return pg.render(on_floor(light), (3, 3)).pixels[1, 1, 0]
 
 
-distances = np.linspace(0.5, 6, 23)
+distances = np.linspace(0.5, 6, 56)
 measured = np.array([under(fading(d)) for d in distances])
 tame = np.array([under(fading(d, constant=1)) for d in distances])
 plot(
@@ -170,15 +170,15 @@ show(table.with_(lights=[fading(2, quadratic=0.5)]), pixel=(0.5, 0.6), panel="Li
 # much. The law is right, but it is hard to put into a picture: white here, black there. So
 # graphics has long used a divisor with three knobs,
 #
-# $$\frac{1}{k_c + k_l \, d + k_q \, d^2}$$
+# $$\dfrac{1}{k_c + k_l \, d + k_q \, d^2}$$
 #
 # where $k_c = k_l = 0$ and $k_q = 1$ is the law, and $k_c = 1$ keeps it from growing without
 # end as $d$ goes to 0.
 
 # %% [markdown] tags=["notes"]
-# "Half" is the common mistake, by far. Let them draw the pyramid: a square hole at 1 m, its
-# shadow's outline at 2 m covers four squares. Attenuation weakens the diffuse and the specular
-# term. The ambient term is light that has been everywhere already, and does not fade.
+# "Half" is a common mistake. Let them draw the pyramid: the light that goes through a square hole
+# at 1 m covers four such squares at 2 m. Attenuation weakens the diffuse and the specular term.
+# The ambient term is light that has been everywhere already, and does not fade.
 
 # %% [markdown] slides=[4] minutes=3
 # ## The edge of a torch
@@ -275,9 +275,9 @@ number("ratio", off[8] / off[16], expected=4, tolerance=0.1)  # the midpoint rul
 
 # %% [markdown]
 # One tiny lamp makes it {one:.1f} times as bright as it should be. With 16 small lamps the error
-# is {off_16:.1f} %, with 64 it is {off_64:.1f} %, with 256 {off_256:.1f} %: four times the lamps
-# for a quarter of the error. What they come to is an *integral* over the lamp, {area:.3f}, and
-# for flat lamps it has a formula, which Lambert found in 1760. This program uses it.
+# is {off_16:.1f} %, with 64 it is {off_64:.1f} %, with 256 it is {off_256:.1f} %: four times the
+# lamps for a quarter of the error. What they come to is an *integral* over the lamp, {area:.3f},
+# and for flat lamps it has a formula, which Lambert found in 1760. This program uses it.
 #
 # Most of all, one sees the difference in a highlight.
 
@@ -367,8 +367,8 @@ goal(
         only(setup, "spot")
         and abs(2 * np.sqrt(np.mean(floor_of(setup) > 0) * 16 / np.pi) - 2) < 0.04
     ),
-    hint="From 2 m above, the radius is $2 \\tan$ of the outer angle; or hang the torch lower. "
-    "The axis must point straight down: (0, −1, 0).",
+    hint="From 2 m above, the radius is 2 m times the tangent of the outer angle; or hang the "
+    "torch lower. The axis must point straight down: (0, −1, 0).",
     solution=table.with_(
         lights=[pg.SpotLight(position=(0, 2, 0), axis=DOWN, inner_angle=20, outer_angle=26.57)]
     ),

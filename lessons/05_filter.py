@@ -99,7 +99,7 @@ def filtered(light):
 for name, light in lights.items():
     figure(
         [pg.render(ball(material, light), SIZE) for material in materials.values()],
-        f"Under a {name} each ball shows what both of them have; everything else is black.",
+        f"Under a {name} each ball shows only what lamp and ball both have: red, green or blue.",
         names=list(materials),
         shows=filtered(light),
     )
@@ -113,7 +113,7 @@ show(pg.load("red-on-blue"), pixel=(0.5, 0.5), panel="Explain")
 # %% [markdown] minutes=3
 # ## Lamps add, filters multiply
 #
-# A red lamp and a green lamp together:
+# So much for one lamp. What do two of them make?
 
 # %%
 predict(
@@ -144,7 +144,7 @@ show(
 
 # %% [markdown]
 # The picture with both lamps is the sum of the pictures with one of them; the largest difference
-# is {off:.7f}. That is a law of light, and it is why the terms and lights of the Phong model are
+# is {off:.0e}. That is a law of light, and it is why the terms and lights of the Phong model are
 # simply summed.
 
 # %% [markdown] tags=["notes"]

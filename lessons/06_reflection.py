@@ -150,8 +150,8 @@ predict(
     "10°",
     "20°",
     answer="20°",
-    why="The angle to the normal has become 10° smaller on the one side, so it is 10° smaller on "
-    "the other side, too, and the normal itself has turned by 10°.",
+    why="Tilt it away from the light: the angle between $l$ and $n$ grows by 10°, so that between "
+    "$n$ and $r$ grows by 10°, too, and $n$ itself has turned by 10°.",
 )
 
 # %%
@@ -249,17 +249,17 @@ show(
 #   white disc with a sharp edge.
 # - A normal a tenth too short leaves {short:.5f} of the highlight: it is gone. Normals that were
 #   interpolated over a triangle *are* too short, so a shader makes them unit length again.
-# - With $l$ reversed, all of $r$ is: {reversed_middle:.0f} in the middle, {rim:.0f} at the rim,
-#   where the ball should be dark.
+# - With $l$ reversed, $r$ is reversed as well: the highlight has {reversed_middle:.0f} in the
+#   middle and {rim:.0f} at the rim, where the ball should be dark.
 #
 # A trap with a name: `reflect` of GLSL and HLSL wants the vector *to the surface*. In the words of
 # the lecture, $r$ is `reflect(-l, n)`.
 
 # %% [markdown] tags=["notes"]
-# The panel Bug zoo makes two of these mistakes in the real shaders: "Normals not renormalised" and
-# "l not normalised"; the bulb of this step is 2 away from the middle of the ball. With a reversed
-# $l$ the diffuse term is black as well, which helps to find the mistake: $n \cdot l$ is negative
-# wherever the light should arrive.
+# The panel Bug zoo makes two of these mistakes in the real shaders: "Normals not renormalised"
+# and "l not normalised"; the bulb of this step is 2 away from the nearest point of the ball. With
+# a reversed $l$ the diffuse term is black as well, which helps to find the mistake: $n \cdot l$
+# is negative wherever the light should arrive.
 
 # %% [markdown] minutes=2
 # ## An aside: Blinn's halfway vector

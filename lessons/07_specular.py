@@ -68,7 +68,7 @@ show(walked(ball, 40), pixel=(0.5, 0.5))
 # - any other one shows most of it when $\rho = 0$, and less and less as $\rho$ grows.
 
 # %% [markdown] tags=["notes"]
-# Let the class point at the ball before the answer. Most point at "it follows you", since they
+# Let the class point at the ball before the answer. Whoever says "it follows you" may
 # think of a mirror image of the lamp at the camera. In the window, drag to orbit: the
 # arrows $n$, $l$, $r$ and $v$ are those of the point in the middle.
 
@@ -90,7 +90,7 @@ predict(
     "it gets 16 times smaller",
     answer="it gets about 4 times smaller",
     why=r"Near its top the cosine is $1 - \rho^2/2$, so that $(\cos\rho)^{sh}$ depends on "
-    r"$\rho\,\sqrt{sh}$ alone.",
+    r"hardly more than $\rho\,\sqrt{sh}$.",
 )
 
 # %%
@@ -103,7 +103,7 @@ plot(
     curves={f"$sh$ = {sh}": np.cos(np.radians(rho)) ** sh for sh in shininess},
     shows=lambda a, b, c, d: all((a > b)[1:-1]) and all((b > c)[1:-1]) and all((c > d)[1:-1]),
 )
-pictures = [pg.render(ball.with_(shininess=sh), (240, 240)) for sh in shininess]
+pictures = [pg.render(ball.with_(shininess=sh), (174, 174)) for sh in shininess]
 figure(
     pictures,
     "The slide: the same ball under the same light, with growing shininess.",
@@ -137,7 +137,7 @@ number("ratio", half_angle(5) / half_angle(80), expected=4, tolerance=0.1)
 show(ball, panel="Material")
 
 # %% [markdown]
-# Half as bright as in the middle is the highlight at $\rho$ = {half_5:.0f}°, {half_10:.0f}°,
+# The highlight is half as bright as in its middle at $\rho$ = {half_5:.0f}°, {half_10:.0f}°,
 # {half_20:.0f}° and {half_80:.1f}°, counted in the pictures. From the first to the last it
 # gets {ratio:.1f} times smaller: the size goes with one over the square root of $sh$.
 
@@ -146,7 +146,7 @@ show(ball, panel="Material")
 # slide. A common mistake: the exponent is taken for a size. Ask what $sh$ = 0 would show: a
 # surface as bright as the light wherever $r \cdot v$ is positive.
 
-# %% [markdown] minutes=2
+# %% [markdown] slides=[7] minutes=2
 # ## Which colour it has
 #
 # $m_d$ is the colour of the surface. $m_s$ is usually a grey. Light a blue ball with a yellow

@@ -1,7 +1,7 @@
 # %% [markdown] minutes=1
 # # Ambient, emissive, and the sum of four
 #
-# Turn a lamp away from a teapot, and its back is not black. Look at a firefly: it shines with
+# The side of a teapot that is turned away from the lamp is not black. A firefly shines with
 # no lamp at all. Two terms for that are still missing, and they are the simplest of the four. Then
 # the Phong model is complete: how do its terms come together?
 
@@ -42,12 +42,12 @@ def colours(setup):
     return np.unique(picture.pixels[picture.coverage == 1], axis=0)
 
 
-ambient = colours(teapot.with_(terms=["ambient"]))
-number("of_ambient", len(ambient), expected=1)
-# s_a is 0.3 and m_a 0.66 in red; a product and a uniform in float32.
-number("red", ambient[0, 0], expected=0.3 * 0.66, tolerance=1e-7)
 lamp_behind = pg.DirectionalLight(to_light=(-1, 0.4, -1), ambient=(0.4, 0.4, 0.45))
 behind = teapot.with_(lights=[lamp_behind], emissive=BLACK)
+ambient = colours(behind.with_(terms=["ambient"]))
+number("of_ambient", len(ambient), expected=1)
+# s_a is 0.4 and m_a 0.66 in red; a product and a uniform in float32.
+number("red", ambient[0, 0], expected=0.4 * 0.66, tolerance=1e-7)
 without = behind.with_(terms=["diffuse", "specular"])
 pair = [
     pg.render(setup, (200, 150)) for setup in (without, behind.with_(terms=["ambient"]), behind)
@@ -68,9 +68,9 @@ figure(
 show(behind, panel="Terms")
 
 # %% [markdown]
-# There is {of_ambient:.0f} colour, with {red:.3f} of red: 0.3 of the light times 0.66 of the
-# material. Of all terms this is the roughest guess: real indirect light is weaker in a corner and
-# under a table, and it is red beside a red wall.
+# The silhouette has {of_ambient:.0f} colour, with {red:.3f} of red: 0.4 of the light times 0.66
+# of the material. Of all terms this is the roughest guess: real indirect light is weaker in a
+# corner and under a table, and it is red beside a red wall.
 
 # %% [markdown] tags=["notes"]
 # Ask what ambient light would be in the room you sit in: everything that is not lit straight from
@@ -125,8 +125,8 @@ number("floor_change", np.abs(change[ground]).max(), expected=0)
 number("ball_change", change[..., 0].max(), expected=1, tolerance=1e-6)  # a sum in float32
 figure(
     [dark, glowing],
-    "A ball over a floor, and the same ball glowing. The floor does not notice.",
-    names=["m_e = (0, 0, 0)", "m_e = (1, 0.6, 0.1)"],
+    "A ball over a floor, and the same ball with $m_e$ = (1, 0.6, 0.1). The floor does not notice.",
+    names=["dark", "glowing"],
     shows=lambda a, b: (
         np.array_equal(a.pixels[ground], b.pixels[ground])
         and a.pixels[ground].min() > 0.05

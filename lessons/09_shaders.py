@@ -8,7 +8,7 @@
 import numpy as np
 
 import playground as pg
-from playground.lesson import figure, goal, number, plot, predict, show
+from playground.lesson import figure, goal, listing, number, plot, predict, show
 
 SIZE = (480, 360)
 teapot = pg.load("teapot")
@@ -39,11 +39,11 @@ def pixels(setup, size):
 
 show(
     teapot,
-    "The teapot: 32 curved patches of 12 by 12 cells, at 480 x 360 pixels.",
+    "The teapot: 32 curved patches of 12 by 12 cells, at 480 by 360 pixels.",
     shows=lambda picture: picture.pixels[150:200, 180:240, 0].mean() > 2 * picture.pixels[0, 0, 0],
 )
 predict(
-    "The teapot has about 5 thousand vertices. At 480 x 360 pixels, which stage runs more often?",
+    "The teapot has about 5 thousand vertices. At 480 by 360 pixels, which stage runs more often?",
     "the vertex stage: each triangle has three corners",
     "both alike",
     "the fragment stage, about ten times as often",
@@ -64,7 +64,7 @@ widths = np.arange(40, 481, 40)
 counts = np.array([pixels(teapot, (w, w * 3 // 4)) for w in widths])
 equal = 480 / np.sqrt(ratio)
 plot(
-    "How often each stage runs for one picture of the teapot, the larger the picture the more.",
+    "How often each stage runs for one picture of the teapot: only the fragments grow with it.",
     x=("width of the picture in pixels", widths),
     y="thousands of runs",
     curves={
@@ -93,56 +93,10 @@ show(teapot)
 # %% [markdown] slides=[11] minutes=4
 # ## What goes in, what comes out
 #
-# This program's own shaders are in the folder `shaders`, and what follows is read from there. F4
-# opens them below the picture.
-#
 # Each stage gets what the one before gives. Besides, all runs get the same *uniforms*: matrices,
 # lights, colours of the material.
 
-
 # %%
-def source(file):
-    """A shader file, without the parts that only textured or open surfaces need."""
-    kept, skipped = [], [False]
-    for line in pg.locate.shader(file).read_text(encoding="utf-8").splitlines():
-        if line.startswith("#if"):
-            skipped.append(line.startswith("#if "))  # but not a guard, #ifndef
-        elif line.startswith("#else"):
-            skipped[-1] = not skipped[-1]
-        elif line.startswith("#endif"):
-            skipped.pop()
-        elif not any(skipped) and not line.startswith(("//", "#")):
-            kept.append(line)
-    return "\n".join(kept)
-
-
-def function(name, file):
-    """The lines of one short function of a shader file, to its first closing brace."""
-    text = source(file)
-    start = text.rindex("\n", 0, text.index(f" {name}(")) + 1
-    return text[start : text.index("}", start) + 1]
-
-
-def passed(word, file):
-    """What a stage declares with ``in`` or ``out``."""
-    return [line for line in source(file).splitlines() if line.split()[:1] == [word]]
-
-
-def folded(line, wide=54):
-    """A line, broken in two where it is too wide for the column of the window."""
-    if len(line) <= wide:
-        return line
-    cut = line.rindex(" ", 0, wide)
-    return line[:cut] + "\n        " + line[cut + 1 :]
-
-
-def listing(*parts):
-    """Lines of code for the answer to a question."""
-    lines = "\n".join(parts).splitlines()
-    return "\n\n```\n" + "\n".join(map(folded, lines)) + "\n```"
-
-
-stage = [*passed("in", "phong.vert"), *passed("out", "phong.vert")]
 predict(
     "In *per-fragment* lighting the model is evaluated for each fragment. What must the vertex "
     "stage give, besides the place in the picture?",
@@ -150,16 +104,32 @@ predict(
     "the position and the normal of the vertex, in space",
     "the vectors $n$, $l$, $r$ and $v$",
     answer="the position and the normal of the vertex, in space",
-    why="From the two and the uniforms all else follows. The vertex stage of per-fragment "
-    "lighting, `phong.vert`:" + listing(*stage, "", function("main", "phong.vert")),
+    why="From the two and the uniforms all else follows.",
 )
 
+# %% [markdown]
+# These are the shaders of this program, from its folder `shaders`, without the lines that only
+# textures and open surfaces need. First the vertex stage:
+
 # %%
-number("ins", len(passed("in", "phong.vert")), expected=2)
-number("outs", len(passed("out", "phong.vert")), expected=2)
-given = [line.removeprefix("out ") for line in passed("out", "phong.vert")]
-taken = [line.removeprefix("in ") for line in passed("in", "phong.frag")]
-number("handed_on", len(set(given) & set(taken)), expected=2)
+vertex_stage = listing("phong.vert", first="in vec3 object_position", last="}", plain=True)
+
+# %% [markdown]
+# Then the fragment stage, where `shade` is the model:
+
+# %%
+fragment_stage = listing("phong.frag", first="in vec3 position", last="}", plain=True)
+
+
+def passed(word, text):
+    """What a stage declares with ``in`` or ``out``."""
+    return [line[len(word) :] for line in text.splitlines() if line.startswith(word + " ")]
+
+
+number("ins", len(passed("in", vertex_stage)), expected=2)
+number("outs", len(passed("out", vertex_stage)), expected=2)
+handed_on = set(passed("out", vertex_stage)) & set(passed("in", fragment_stage))
+number("handed_on", len(handed_on), expected=2)
 three = [
     pg.DirectionalLight(to_light=tuple(axis), diffuse=tuple(axis), ambient=(0, 0, 0))
     for axis in np.eye(3)
@@ -200,13 +170,13 @@ show(coarse, panel="View")
 
 # %% [markdown] tags=["notes"]
 # The matrices are those of the lecture on transformations. `unit_moderate` makes a vector 1 long;
-# `present` is the display: exposure, clamp, curve. In the window, F4 shows where the call of the
-# model stands, and the twins of each file in the other languages.
+# `present` is the display: exposure, clamp, curve. In the window, F4 opens the files below the
+# picture, marks where the call of the model stands, and shows the twins in the other languages.
 
 # %% [markdown] slides=[11] minutes=2
 # ## Where the call stands
 #
-# The model itself is a function, `shade`. Who calls it decides what it costs.
+# The model is one function, `shade`. Who calls it decides what it costs.
 
 # %%
 predict(
@@ -216,20 +186,18 @@ predict(
     "the sum of the four terms",
     "nothing: it hands on the colour it gets",
     answer="nothing: it hands on the colour it gets",
-    why="The lecture calls it the simplest fragment shader. In Cg, as the lecture writes it:"
-    + listing(function("FS_PhongPerVertex", "cg/phong_per_vertex.cg"))
-    + "\n\nThe one that runs here, `colour.frag`, and that of per-fragment lighting, `phong.frag`:"
-    + listing(function("main", "colour.frag"), "", function("main", "phong.frag")),
+    why="The colour is finished before the rasteriser gets it, and what comes out is a mixture of "
+    "finished colours. The lecture calls this the simplest fragment shader.",
 )
 
+# %% [markdown]
+# The fragment stage of per-vertex lighting. In `front_rest` arrives the mixture of colours:
+
 # %%
-calls = {
-    file: function("main", file).count("shade(")
-    for file in ("phong.vert", "phong.frag", "colour.frag")
-}
-number("in_phong_vert", calls["phong.vert"], expected=0)
-number("in_phong_frag", calls["phong.frag"], expected=1)
-number("in_colour_frag", calls["colour.frag"], expected=0)
+colour_stage = listing("colour.frag", first="void main", last="}", plain=True)
+number("in_phong_vert", vertex_stage.count("shade("), expected=0)
+number("in_phong_frag", fragment_stage.count("shade("), expected=1)
+number("in_colour_frag", colour_stage.count("shade("), expected=0)
 number("saved", 100 * (1 - 1 / ratio), expected=90, tolerance=0.5)  # as it is written below
 show(teapot.with_(shading="per-vertex"), beside="per-fragment", panel="View")
 
@@ -248,24 +216,24 @@ show(teapot.with_(shading="per-vertex"), beside="per-fragment", panel="View")
 # This program runs GLSL, and has the same shaders in the other two.
 
 # %%
-glsl = function("diffuse_factor", "lib/phong.glsl")
-others = {
-    "HLSL": function("diffuse_factor", "hlsl/lib/phong.hlsl"),
-    "Cg": function("diffuse_factor", "cg/phong.cg"),
-}
+BOUNDS = {"first": "float diffuse_factor", "last": "}"}
+glsl = listing("lib/phong.glsl", **BOUNDS)
 predict(
-    "Lambert's law in GLSL is a function `" + glsl.splitlines()[0].removesuffix(" {") + "`. What "
-    "must be changed in it, to make it HLSL?",
+    "That is Lambert's law in GLSL. What must be changed in it, to make it HLSL?",
     "all of it: they are different languages",
     "the names of the types",
     "the order of the arguments",
     answer="the names of the types",
-    why="All three are C-like. In GLSL, HLSL and Cg:" + listing(glsl, "", *others.values()),
+    why="All three languages are C-like.",
 )
 
+# %% [markdown]
+# In HLSL and in Cg:
+
 # %%
+others = [listing("hlsl/lib/phong.hlsl", **BOUNDS), listing("cg/phong.cg", **BOUNDS)]
 translated = glsl.replace("vec3", "float3")
-number("same", sum(other == translated for other in others.values()), expected=2)
+number("same", sum(other == translated for other in others), expected=2)
 words = glsl.split(), translated.split()
 number("changed", sum(a != b for a, b in zip(*words, strict=True)), expected=2)
 number("of", len(words[0]), expected=11)
@@ -289,7 +257,7 @@ show(teapot, panel="Terms")
 # %%
 show(teapot, panel="Scene")
 goal(
-    "Let the vertex stage run more often than the fragment stage, at 480 x 360 pixels.",
+    "Let the vertex stage run more often than the fragment stage, at 480 by 360 pixels.",
     reached=lambda setup: vertices(setup) > pixels(setup, SIZE) > 0,
     hint="There are two ways: more vertices (Scene, tessellation), or fewer pixels that the teapot "
     "covers.",

@@ -128,12 +128,11 @@ plot(
 # }
 # ```
 #
-# The program's, in HLSL of today and in GLSL (what stands between `#if` and `#endif` is for
-# textures and for surfaces with two sides):
+# The program's, in HLSL of today and in GLSL (`present` is the display: exposure, clamp, curve):
 
 # %%
 hlsl = listing("hlsl/phong_per_vertex.hlsl", first="float4 FS_PhongPerVertex", last="}")
-glsl = listing("colour.frag", first="void main", last="}")
+glsl = listing("colour.frag", first="void main", last="}", plain=True)
 number("formulas", hlsl.count("shade(") + glsl.count("shade("), expected=0)
 
 teapot = pg.load("teapot").with_(shading="per-vertex")
@@ -212,14 +211,14 @@ show(floor, beside="per-fragment", pixel=(0.41, 0.52))
 # %% [markdown]
 # Where the highlight should be, it has brightness {everywhere:.1f}. Of the corners of that triangle
 # the best one has an angle of $\rho$ = {nearest:.0f}° between $r$ and $v$, and
-# $(\cos\rho)^{60}$ is {there:.15f}. The rasteriser is not to blame: it mixes what it gets.
+# $(\cos\rho)^{60}$ is {there:.0e}. The rasteriser is not to blame: it mixes what it gets.
 #
 # The diffuse term is wrong, too, by up to {diffuse_off:.1f}: look at the far edge of the floor.
 
 # %% [markdown] tags=["notes"]
 # The lecture: the colours at the vertices are *evenly* interpolated along the edges and then along
 # the scan lines, so highlights inside a triangle cannot be caught. In the window the arrows
-# n, l, r and v stand at the three corners.
+# $n$, $l$, $r$ and $v$ stand at the three corners.
 
 # %% [markdown] slides=[13] minutes=2
 # ## The smeared highlight

@@ -173,9 +173,10 @@ figure(
 plot(
     "What is left out: the mean weight of the rays that are not shot any more.",
     x=("depth", depths),
-    y="weight, as a power of ten",
-    curves={"mean over the picture": np.log10(left)},
-    shows=lambda curve: all(np.diff(curve) < 0) and curve[0] > -1 and curve[8] < -4,
+    y="weight in %",
+    curves={"mean over the picture": 100 * left},
+    shows=lambda curve: all(np.diff(curve) < 0) and curve[0] > 10 and curve[8] < 0.01,
+    log="y",
 )
 # Counted over 43 200 pixels; at the outline of a ball drivers may differ by one in a hundred.
 number("left_0", 100 * left[0], expected=17.8, tolerance=0.3)
@@ -364,8 +365,8 @@ goal(
     reached=lambda setup: (
         left_out(setup) < 0.002 < left_out(setup.with_(depth=max(setup.settings.depth - 1, 0)))
     ),
-    hint="The panel Ray tracing has the depth. The plot of what is left out begins at -0.7, which "
-    "is 18 %; 0.2 % is -2.7.",
+    hint="The panel Ray tracing has the depth. Where does the plot of what is left out fall below "
+    "0.2 %?",
     solution=room.with_(depth=3, threshold=0),
 )
 goal(

@@ -89,8 +89,8 @@ predict(
     "about 40°",
     "about 70°",
     answer="about 40°",
-    why=r"Not the angles are in proportion but their sines: $\sin 60° / 1.333$ = 0.65 is the sine "
-    "of 40.5°. The ray bends towards the normal.",
+    why=r"It is not the angles that are in proportion but their sines: $\sin 60° / 1.333$ = 0.65 "
+    "is the sine of 40.5°. The ray bends towards the normal.",
 )
 
 
@@ -120,7 +120,7 @@ number("theta_2", theta_2, expected=40.5, tolerance=0.2)
 number("side_1", 1.0 * np.sin(np.radians(theta_1)), expected=0.866, tolerance=0.003)
 number("side_2", WATER * np.sin(np.radians(theta_2)), expected=0.866, tolerance=0.003)
 plot(
-    "Rays into the pool: the angles bend, the sines are a straight line of slope 1/1.333.",
+    "Rays into the pool: the sines of the two angles lie on a straight line of slope 1/1.333.",
     x=(r"$\sin\theta_1$ in air", sines[::-1, 0]),
     y=r"$\sin\theta_2$ in water",
     curves={"measured": sines[::-1, 1], "straight on": sines[::-1, 0]},
@@ -187,7 +187,7 @@ predict(
 dry, wet = (pg.render(above_coin(index), SIZE, **TRACED) for index in (1.0, WATER))
 figure(
     [dry, wet],
-    "The same coin, two deep, from six above: without water and with it.",
+    "The same coin, 2 m deep, seen from 6 m above: without water and with it.",
     names=["air", "water"],
     shows=lambda a, b: 1.05 < coin_width(b) / coin_width(a) < 1.08 and coin_width(a) > 50,
 )
@@ -201,8 +201,8 @@ number("ratio", apparent / DEPTH, expected=1 / WATER, tolerance=0.008)
 show(above_coin(WATER), **TRACED)
 
 # %% [markdown]
-# It is {larger:.3f} times as large. So it seems to be {apparent:.2f} below the surface, where it is
-# 2 below: the pool looks {ratio:.2f} times as deep. For small angles a sine is nearly the
+# It is {larger:.3f} times as large. So it seems to be {apparent:.2f} m below the surface, where
+# it is 2 m below: the pool looks {ratio:.2f} times as deep. For small angles a sine is nearly the
 # angle, and this number is $1/1.333$. Mind that when you jump in.
 
 # %% [markdown] slides=[16] minutes=4
@@ -241,6 +241,10 @@ def window_angle(picture):
 up = pg.render(dive, SIZE, **TRACED)
 critical = np.degrees(np.arcsin(1 / WATER))
 number("critical", critical, expected=48.6, tolerance=0.02)
+lowest = np.degrees(
+    np.arcsin(np.sin(np.radians(70)) / WATER)
+)  # of light from 20° above the horizon
+number("rim", critical - lowest, expected=3.8, tolerance=0.05)
 # The radius is 79 pixels; half of one, where they are densest, is 0.2°.
 number("window", window_angle(up), expected=critical, tolerance=0.2)
 show(
@@ -285,8 +289,8 @@ goal(
 
 # %% [markdown] tags=["notes"]
 # In the window open the Snell bench: a ray that one can turn, with both angles and the shares. Or
-# drag the camera in this view slowly past the edge of the window: colours run together there, as
-# near the edge 90° of sky are pressed into a few degrees.
+# drag the camera in this view slowly past the edge of the window: the lowest 20° of the sky are
+# pressed into {rim:.1f}° there.
 
 # %% [markdown] slides=[16] minutes=4
 # ## How much goes through

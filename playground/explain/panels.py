@@ -42,15 +42,18 @@ class Sheet:
 
 
 def lay_out(
-    rows: Sequence[Sequence[Panel]], heading: str = "", footer: str = ""
+    rows: Sequence[Sequence[Panel]], heading: str = "", footer: str = "", letters: int = 13
 ) -> NDArray[np.uint8]:
-    """The panels in rows on white paper, with a heading above and a footer below; (H, W, 3)."""
+    """The panels in rows on white paper, with a heading above and a footer below; (H, W, 3).
+
+    Their lines are ``letters`` pixels high at least, where there is room.
+    """
     from PIL import Image, ImageDraw
 
     height, width = rows[0][0].codes.shape[:2]
     columns = max(len(row) for row in rows)
     across = columns * (width + MARGIN) - MARGIN
-    text = max(13, round(height / 17))
+    text = max(letters, round(height / 17))
     font = _fitting(text, [panel.caption for row in rows for panel in row], width)
     title, small = _fitting(text, [heading], across), typeface(max(11, round(0.8 * text)))
     line, notes = round(1.7 * text), _wrapped(footer, small, across)

@@ -128,7 +128,7 @@ def _words(spans: tuple[Span, ...]) -> Iterator[list[Span]]:
         if span.kind in ("formula", "code"):
             word.append(span)
             continue
-        for part in re.findall(r"\s+|\S+", span.text):
+        for part in re.findall(r"[ \n]+|[^ \n]+", span.text):
             if part.isspace():
                 if word:
                     yield word

@@ -15,7 +15,7 @@ from typing import Protocol
 import numpy as np
 
 from playground.errors import PlaygroundError
-from playground.files import write_whole
+from playground.files import make_folder, write_whole
 from playground.lesson.assignments import ASSIGNMENTS
 from playground.lesson.figures import side_by_side
 from playground.lesson.page import png
@@ -142,6 +142,8 @@ def run_check(lesson: Path, file: Path, output: Path | None) -> int:
     from playground.lesson.student import open_student
 
     assignment = assignment_of(lesson)
+    if output is not None:
+        make_folder(output)
     student = open_student(file, assignment)
     verdicts = [judge(task, student) for task in assignment.tasks]
     print(f"{assignment.title}: {file}")

@@ -10,6 +10,7 @@ from time import perf_counter
 from playground.errors import PlaygroundError
 from playground.files import make_folder, write_whole
 from playground.lesson.formula import svg
+from playground.lesson.index import file_name, index
 from playground.lesson.library import find, lessons, read_all
 from playground.lesson.mistake import LessonError
 from playground.lesson.page import page, png
@@ -18,6 +19,8 @@ from playground.lesson.prose import formulas
 from playground.lesson.run import Running
 from playground.lesson.script import read_lesson
 from playground.lesson.told import by_slide, listed, told
+
+INDEX = "index.html"
 
 
 def run_lesson(
@@ -30,7 +33,8 @@ def run_lesson(
     """List, run or check; returns the exit status, 1 where a student's file is not right.
 
     ``which`` is ``"list"``, ``"all"``, a number or a path. With ``output``, a folder, each
-    lesson leaves a handout and its figures there; without, its text is printed.
+    lesson leaves a handout and its figures there, and all of them a page that leads to each;
+    without, its text is printed.
 
     Raises
     ------
@@ -40,6 +44,9 @@ def run_lesson(
     if check is not None:
         from playground.lesson.assignment import run_check
 
+        if which in ("list", "all"):
+            fix = f"For example: playground lesson 7 --check {check}"
+            raise PlaygroundError("--check needs the number of a lesson", fix=fix)
         return run_check(find(which), check, output)
     if which == "list":
         chosen = read_all()
@@ -51,12 +58,15 @@ def run_lesson(
         return 0
     if output is not None:
         make_folder(output)
-    for path in paths:
-        _run(path, output, notes)
+    ran = [_run(path, output, notes) for path in paths]
+    if output is not None and which == "all":
+        file = output / INDEX
+        write_whole(file, index(ran, notes).encode())
+        print(file)
     return 0
 
 
-def _run(path: Path, output: Path | None, notes: bool) -> None:
+def _run(path: Path, output: Path | None, notes: bool) -> Lesson:
     began = perf_counter()
     lesson = read_lesson(path)
     running = Running(lesson)
@@ -70,6 +80,7 @@ def _run(path: Path, output: Path | None, notes: bool) -> None:
         for file in write_lesson(lesson, running.pages, output, notes):
             print(file)
     print(f"{path.name}  {perf_counter() - began:.1f} s", file=sys.stderr)
+    return lesson
 
 
 def write_lesson(
@@ -82,15 +93,14 @@ def write_lesson(
     PlaygroundError
         A file cannot be written, or a formula not be typeset.
     """
-    name = lesson.path.stem
     for each in pages:
         _typeset(lesson, each)
     text = page(lesson, pages, notes)
-    made = [folder / f"{name}{'-notes' if notes else ''}.html"]
+    made = [folder / file_name(lesson, notes)]
     write_whole(made[0], text.encode())
     figures = [item for each in pages for item in each.items if isinstance(item, Figure)]
     for i, figure in enumerate(figures, 1):
-        made.append(folder / f"{name}-{i}.png")
+        made.append(folder / f"{lesson.path.stem}-{i}.png")
         write_whole(made[-1], png(figure.codes))
     return made
 

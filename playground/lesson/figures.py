@@ -13,6 +13,7 @@ from playground.explain.panels import Panel, lay_out
 from playground.lesson.words import Check
 from playground.render.image import Image
 
+LETTERS = 46  # pixels of a row for one of its letters: 9 pixels in a column of the window 410 wide
 NOTHING = 0.5  # the grey of an empty picture
 
 
@@ -61,7 +62,8 @@ def side_by_side(pictures: Sequence[Image], names: Sequence[str]) -> NDArray[np.
     if len({picture.size for picture in pictures}) > 1:
         raise PlaygroundError("pictures of a row have one size")
     row = [Panel(picture.codes(), name) for picture, name in zip(pictures, names, strict=True)]
-    return lay_out([row])
+    wide = sum(picture.size[0] for picture in pictures)
+    return lay_out([row], letters=max(13, round(wide / LETTERS)))
 
 
 def _empty(picture: Image) -> Image:

@@ -5,6 +5,7 @@ What it knows of LaTeX: https://matplotlib.org/stable/users/explain/text/mathtex
 
 from __future__ import annotations
 
+import re
 from functools import lru_cache
 from html import escape
 from typing import Any, NamedTuple
@@ -17,7 +18,8 @@ from playground.errors import PlaygroundError
 FAMILY = "cm"  # Computer Modern, the letters of LaTeX
 UNITS = 100.0  # per em, in which matplotlib gives outlines
 LARGER = 1.18  # its letters are smaller than those of the text around them
-DEGREE = r"^\circ"
+DEGREE = r"^{\circ}"  # without the braces it would have the room of an operator around it
+CLOSE = re.compile(r"(?<=[0-9A-Za-z})])\s*(?=\\(?:sin|cos|tan|max)\b)")  # no room before a function
 LETTERS = {1: "M", 2: "L", 3: "Q", 4: "C", 79: "Z"}  # of SVG for matplotlib's path codes
 POINTS = {1: 1, 2: 1, 3: 2, 4: 3, 79: 1}  # that belong to a code
 
@@ -44,6 +46,8 @@ def svg(formula: str) -> str:
     font, text, em = _font(UNITS), _source(formula), LARGER / UNITS
     width, height, depth = text_to_path.get_text_width_height_descent(text, font, ismath=True)
     vertices, codes = text_to_path.get_text_path(font, text, ismath=True)
+    right = np.reshape(vertices, (-1, 2))[:, 0].max(initial=0.0)
+    width = max(width, right)  # a slanted letter leans out of its box
     box = f"0 {-(height - depth):.1f} {width:.1f} {height:.1f}"
     style = (
         f"width:{width * em:.3f}em;height:{height * em:.3f}em;vertical-align:{-depth * em:.3f}em"
@@ -70,8 +74,8 @@ def mask(formula: str, size: float) -> Mask:
 
 
 def _source(formula: str) -> str:
-    """As mathtext reads it: its letters have no sign of their own for a degree."""
-    return f"${formula.replace('°', DEGREE)}$"
+    """As mathtext reads it: no sign for a degree, and no room before the name of a function."""
+    return "$" + CLOSE.sub(r"\\,", formula).replace("°", DEGREE) + "$"
 
 
 @lru_cache(maxsize=512)

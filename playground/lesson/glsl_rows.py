@@ -25,7 +25,7 @@ def run_rows(
     """
     import moderngl
 
-    from playground.render.gl.context import headless, rest
+    from playground.render.gl.context import NoDriverError, headless, rest
     from playground.render.gl.source import assemble
 
     rows = [np.ascontiguousarray(a, dtype=np.float32).reshape(len(a), -1) for a in arguments]
@@ -33,11 +33,19 @@ def run_rows(
     passed = ", ".join(f"in_{i}" for i in range(len(rows)))
     main = f"out {TYPES[width]} out_result;\nvoid main() {{ out_result = {name}({passed}); }}"
     source = assemble(file, tail="\n".join([*inputs, main]), overrides={file: text})
-    context = headless()
+    try:
+        context = headless()
+    except NoDriverError as error:
+        raise PlaygroundError(
+            "GLSL is checked by the GPU, and there is no GL driver",
+            got=str(error),
+            fix="Or write the functions in Python, which needs none.",
+        ) from None
     try:
         program = context.program(vertex_shader=source.text, varyings=("out_result",))
     except moderngl.Error as error:
-        raise PlaygroundError(source.explain(str(error))) from None
+        types = ", ".join(TYPES[row.shape[1]] for row in rows)
+        raise PlaygroundError(_told(source.explain(str(error)), file, f"{name}({types})")) from None
     columns = [context.buffer(row.tobytes()) for row in rows]
     content = [
         (column, f"{rows[i].shape[1]}f4", f"in_{i}")
@@ -54,3 +62,13 @@ def run_rows(
     for item in held:
         item.release()
     return result
+
+
+def _told(message: str, file: str, call: str) -> str:
+    """What the compiler says, with the name of the student's file and nothing of our own lines."""
+    lines = [row.replace(f"shaders/{file}:", f"{file}:") for row in message.splitlines()]
+    theirs = [row for row in lines if row.startswith(f"{file}:")]
+    if theirs:
+        return "\n".join(theirs)
+    reason = lines[0].partition(": ")[2]
+    return f"{file}: {call} cannot be called: does a brace lack, or an argument? ({reason})"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from playground import locate
@@ -9,6 +10,7 @@ from playground.errors import PlaygroundError
 from playground.lesson.parts import Lesson
 from playground.lesson.script import read_lesson
 
+SlideStep = tuple[Lesson, int]  # a lesson and the number of one of its steps, counted from 1
 SLIDES = "slides.txt"  # beside the lessons: the titles of the slides, one a line
 
 
@@ -43,6 +45,17 @@ def find(which: str) -> Path:
 def read_all() -> list[Lesson]:
     """Every lesson that comes with the project, read but not run."""
     return [read_lesson(path) for path in lessons()]
+
+
+def steps_by_slide(lessons: Sequence[Lesson]) -> dict[int, list[SlideStep]]:
+    """For each slide of their folder's lecture, in order, the steps that treat it."""
+    titles = slide_titles(lessons[0].path.parent) if lessons else []
+    found: dict[int, list[SlideStep]] = {number: [] for number in range(1, len(titles) + 1)}
+    for lesson in lessons:
+        for i, step in enumerate(lesson.steps, 1):
+            for slide in step.slides:
+                found.setdefault(slide, []).append((lesson, i))
+    return dict(sorted(found.items()))
 
 
 def slide_titles(folder: Path) -> list[str]:

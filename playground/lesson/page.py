@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import io
 from base64 import b64encode
+from collections.abc import Sequence
 from html import escape
 from string import Template
 
@@ -44,7 +45,7 @@ PAGE = Template(
 <style>$style</style>
 </head>
 <body>
-<h1>$heading</h1>
+<h1 id="step-1">$heading</h1>
 <p class="soft">$about</p>
 <main>
 $body
@@ -59,7 +60,7 @@ def page(lesson: Lesson, pages: list[Page], notes: bool = False) -> str:
     """The handout of a lesson that has run; with ``notes``, the lecturer's."""
     number = "" if lesson.number is None else f"{lesson.number}. "
     titles = slide_titles(lesson.path.parent)
-    body = [_step(made, number_of == 0, notes, titles) for number_of, made in enumerate(pages)]
+    body = [_step(made, i, notes, titles) for i, made in enumerate(pages, 1)]
     return PAGE.substitute(
         title=escape(lesson.title),
         style=STYLE + MORE,
@@ -81,18 +82,29 @@ def png(codes: NDArray[np.uint8]) -> bytes:
 def _about(lesson: Lesson, notes: bool) -> str:
     words = [f"Lighting Playground, {lesson.path.name}"]
     if lesson.slides:
-        words.append(f"slides {', '.join(map(str, lesson.slides))}")
+        words.append(f"{plural('slide', len(lesson.slides))} {listed(lesson.slides)}")
     if lesson.minutes:
-        words.append(f"{lesson.minutes:g} minutes")
+        words.append(f"{lesson.minutes:g} {plural('minute', lesson.minutes)}")
     return " · ".join([*words, "for the lecturer"] if notes else words)
 
 
-def _step(made: Page, first: bool, notes: bool, titles: list[str]) -> str:
+def plural(noun: str, count: float) -> str:
+    """The noun as it stands behind a number of things."""
+    return noun if count == 1 else f"{noun}s"
+
+
+def listed(values: Sequence[int]) -> str:
+    """Numbers with commas between them."""
+    return ", ".join(map(str, values))
+
+
+def _step(made: Page, number: int, notes: bool, titles: list[str]) -> str:
     step = made.step
-    parts = [] if first else [f"<h2>{escape(step.heading)}</h2>"]
+    parts = [f'<h2 id="step-{number}">{escape(step.heading)}</h2>'] if number > 1 else []
     if notes:
         slides = [f"{n} {titles[n - 1] if n <= len(titles) else ''}".strip() for n in step.slides]
-        about = [f"{step.minutes:g} minutes", *(f"slide {slide}" for slide in slides)]
+        minutes = f"{step.minutes:g} {plural('minute', step.minutes)}"
+        about = [minutes, *(f"slide {slide}" for slide in slides)]
         inside = f'<p class="soft">{escape(" · ".join(about))}</p>{prose(step.notes)}'
         parts.append(f'<div class="box notes">{inside}</div>')
     parts += [_item(item, notes) for item in made.items]

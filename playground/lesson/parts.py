@@ -43,6 +43,11 @@ class Lesson:
         return int(head) if head.isdigit() else None
 
     @property
+    def name(self) -> str:
+        """Its number, or else the name of its file: how lists call it."""
+        return self.path.stem if self.number is None else str(self.number)
+
+    @property
     def minutes(self) -> float:
         """How long all steps take."""
         return sum(step.minutes for step in self.steps)

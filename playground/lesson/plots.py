@@ -19,11 +19,20 @@ from playground.measure.report.plots import COLOURS, STYLE
 
 WIDTH, HEIGHT, DENSITY = 5.4, 3.0, 130  # inches, and pixels per inch
 DASHES = ("-", "--", "-.", ":")  # so that a grey printer tells curves apart
-OWN = {"svg.fonttype": "path", "mathtext.fontset": "cm"}  # letters as outlines: no font is needed
+LOGARITHMS = ("", "x", "y", "xy")
+OWN = {
+    "svg.fonttype": "path",
+    "mathtext.fontset": "dejavuserif",
+}  # letters as outlines: no font is needed
 
 
 def plotted(
-    caption: str, x: tuple[str, ArrayLike], y: str, curves: Mapping[str, ArrayLike], shows: Check
+    caption: str,
+    x: tuple[str, ArrayLike],
+    y: str,
+    curves: Mapping[str, ArrayLike],
+    shows: Check,
+    log: str = "",
 ) -> tuple[NDArray[np.uint8], str]:
     """The codes (H, W, 3) and the ``<svg>`` element of the curves.
 
@@ -43,11 +52,30 @@ def plotted(
         raise PlaygroundError(
             "what the plot shows is not checked: shows= accepts curves of zeros", got=caption
         )
-    return _drawn(caption, x[0], places, y, lines)
+    _check_logarithms(log, places, lines)
+    return _drawn(caption, x[0], places, y, lines, log)
+
+
+def _check_logarithms(
+    log: str, places: NDArray[np.float64], lines: dict[str, NDArray[np.float64]]
+) -> None:
+    if log not in LOGARITHMS:
+        raise PlaygroundError("unknown axes", got=log, allowed=", ".join(LOGARITHMS[1:]))
+    values = [*([places] if "x" in log else []), *(lines.values() if "y" in log else [])]
+    if any(not (found > 0.0).all() for found in values):
+        raise PlaygroundError("a logarithmic axis has positive numbers only", got=f"log={log!r}")
+
+
+def _logarithms(axes: Any, log: str) -> None:
+    """Let each step of an axis be a factor, the numbers written out; x counts in twos."""
+    for name in log:
+        axis = getattr(axes, f"{name}axis")
+        getattr(axes, f"set_{name}scale")("log", base=2 if name == "x" else 10)
+        axis.set_major_formatter(lambda value, _: f"{value:g}")
 
 
 def _drawn(
-    caption: str, x: str, places: NDArray[np.float64], y: str, lines: dict[str, Any]
+    caption: str, x: str, places: NDArray[np.float64], y: str, lines: dict[str, Any], log: str
 ) -> tuple[NDArray[np.uint8], str]:
     import matplotlib as mpl
     from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -64,10 +92,11 @@ def _drawn(
             }
             axes.plot(places, values, label=name, linewidth=1.8, **look)
         axes.set(xlabel=x, ylabel=y)
+        _logarithms(axes, log)
         axes.grid(color="0.9")
         axes.margins(x=0.0)
         if len(lines) > 1:
-            axes.legend(frameon=False)
+            axes.legend(edgecolor="none", framealpha=0.85)  # a curve below does not cross it
         canvas.draw()
         codes = np.asarray(canvas.buffer_rgba())[..., :3].copy()
         file = io.StringIO()

@@ -16,7 +16,11 @@ from playground.errors import PlaygroundError, unknown_name
 MARKS = re.compile(r"`([^`]+)`|\$([^$]+)\$|\*\*([^*]+)\*\*|\*([^*\s][^*]*)\*")
 PLACE = re.compile(r"\{([A-Za-z_]\w*)(?::([^{}]*))?\}")
 KINDS = ("code", "formula", "strong", "strong")
+PLAIN = ("text", "strong")  # kinds of spans that hold words
 USUAL = ".3g"  # digits of a number whose place does not say how it is written
+POWER = re.compile(r"(.+)e([+-]\d+)")
+RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+UNIT = re.compile(r"(?<=[\d}]) (?=%|c?m\b)")  # a number and its unit stay in one line
 
 
 @dataclass(frozen=True)
@@ -110,7 +114,29 @@ def spans(text: str, line: int = 0) -> tuple[Span, ...]:
         made.append(Span("text", text[end:]))
     if any("$" in span.text or "`" in span.text for span in made if span.kind == "text"):
         raise PlaygroundError(f"line {line}: a $ or ` has no partner", got=text)
-    return tuple(made)
+    return tuple(
+        Span(span.kind, UNIT.sub("\u00a0", span.text)) if span.kind in PLAIN else span
+        for span in made
+    )
+
+
+def written(value: float, form: str) -> str:
+    """A number as ``form`` says, with a true minus, and powers of ten as one writes them.
+
+    Raises
+    ------
+    ValueError
+        Numbers cannot be written so.
+    """
+    text = format(value, form)
+    power = POWER.fullmatch(text)
+    if power is None:
+        return text.replace("-", "−")
+    exponent = int(power[2])
+    if exponent == 0:
+        return power[1].replace("-", "−")
+    factor = "" if power[1] == "1" else f"{power[1]}·".replace("-", "−")
+    return f"{factor}10{str(exponent).translate(RAISED)}"
 
 
 def filled(block: Block, numbers: Mapping[str, float]) -> Block:
@@ -122,20 +148,19 @@ def filled(block: Block, numbers: Mapping[str, float]) -> Block:
         No number of that name, or no such way to write one.
     """
 
-    def written(match: re.Match[str]) -> str:
+    def in_place(match: re.Match[str]) -> str:
         name, form = match[1], match[2] or USUAL
         if name not in numbers:
             raise unknown_name("number", name, numbers)
         try:
-            return format(numbers[name], form).replace("-", "−")
+            return written(numbers[name], form)
         except ValueError:
             raise PlaygroundError("a number cannot be written so", got=match[0]) from None
 
-    places = ("text", "strong")
     return replace(
         block,
         spans=tuple(
-            Span(span.kind, PLACE.sub(written, span.text)) if span.kind in places else span
+            Span(span.kind, PLACE.sub(in_place, span.text)) if span.kind in PLAIN else span
             for span in block.spans
         ),
     )

@@ -48,7 +48,7 @@ class Running:
             page = self._recorder.page(step)
         except LessonError:
             raise
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             raise mistake(error, self.lesson.path, line) from error
         self.pages.append(page)
         self._goals.append(tuple(self._recorder.goals))
@@ -64,7 +64,7 @@ class Running:
         """
         try:
             return bool(self._goals[step][goal](setup))
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             raise mistake(error, self.lesson.path, self.lesson.steps[step].line) from error
 
     def _execute(self, cell: Cell) -> None:
@@ -90,16 +90,21 @@ def run_whole(path: Path) -> tuple[Lesson, list[Page]]:
     return lesson, running.pages
 
 
-def mistake(error: Exception, path: Path, line: int) -> LessonError:
+def mistake(error: BaseException, path: Path, line: int) -> LessonError:
     """The error with the line of the lesson in which it arose."""
     if isinstance(error, SyntaxError) and error.filename == str(path):
         return LessonError(path, error.lineno or line, f"syntax error: {error.msg}")
+    said = str(error) or "no reason given"
+    if type(error).__module__.partition(".")[0] != "playground":
+        said = f"{type(error).__name__}: {said}"
+    return LessonError(path, line_in(error, path, line), said)
+
+
+def line_in(error: BaseException, path: Path, line: int = 1) -> int:
+    """The innermost line of a file that an error went through; ``line`` if it went through none."""
     trace = error.__traceback__
     while trace is not None:
         if trace.tb_frame.f_code.co_filename == str(path):
             line = trace.tb_lineno
         trace = trace.tb_next
-    said = str(error) or "no reason given"
-    if type(error).__module__.partition(".")[0] != "playground":
-        said = f"{type(error).__name__}: {said}"
-    return LessonError(path, line, said)
+    return line

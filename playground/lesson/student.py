@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from contextlib import suppress
+from _thread import interrupt_main
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from threading import Event, Timer
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,13 +14,14 @@ import numpy as np
 from playground.errors import PlaygroundError
 from playground.files import read_bytes
 from playground.lesson.mistake import LessonError
-from playground.lesson.run import mistake
+from playground.lesson.run import line_in, mistake
 from playground.shading.vector import Array
 
 if TYPE_CHECKING:
     from playground.lesson.assignment import Arrays, Assignment, Student
 
 UNWRITTEN = "not written yet"
+PATIENCE = 60.0  # seconds for all calls of a function, which take less than one if they are right
 
 
 def open_student(file: Path, assignment: Assignment) -> Student:
@@ -34,6 +37,36 @@ def open_student(file: Path, assignment: Assignment) -> Student:
     if file.suffix == ".glsl":
         return GlslStudent(file, assignment)
     raise PlaygroundError("an assignment is Python or GLSL", got=str(file), allowed=".py or .glsl")
+
+
+@contextmanager
+def limited(file: Path) -> Iterator[None]:
+    """Stop what a student's file does, if it does not come to an end by itself.
+
+    Raises
+    ------
+    LessonError
+        It did not; with the line in which it was.
+    """
+    late = Event()
+
+    def interrupt() -> None:
+        late.set()
+        interrupt_main()
+
+    timer = Timer(PATIENCE, interrupt)
+    timer.daemon = True
+    timer.start()
+    try:
+        yield
+    except KeyboardInterrupt as error:
+        if not late.is_set():  # somebody pressed Ctrl+C
+            raise
+        raise LessonError(
+            file, line_in(error, file), f"no end after {PATIENCE:g} seconds"
+        ) from None
+    finally:
+        timer.cancel()
 
 
 def text_of(file: Path) -> str:
@@ -60,10 +93,11 @@ class PythonStudent:
         self._widths = {task.name: task.width for task in assignment.tasks}
         self._names: dict[str, Any] = {"__name__": "student", "__file__": str(file)}
         try:
-            exec(compile(text_of(file), str(file), "exec", dont_inherit=True), self._names)
+            with limited(file):
+                exec(compile(text_of(file), str(file), "exec", dont_inherit=True), self._names)
         except PlaygroundError:
             raise
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             raise mistake(error, file, 1) from error
 
     def missing(self, name: str) -> str:
@@ -73,11 +107,13 @@ class PythonStudent:
             return f"there is no function {name}"
         ones = [np.ones(3)] * function.__code__.co_argcount if _plain(function) else []
         try:
-            with np.errstate(all="ignore"):  # ones are no directions
+            with np.errstate(all="ignore"), limited(self._file):  # ones are no directions
                 function(*ones)
         except NotImplementedError:
             return UNWRITTEN
-        except Exception:  # told, with its line, when the cases are run
+        except LessonError:
+            raise
+        except (Exception, SystemExit):  # told, with its line, when the cases are run
             return ""
         return ""
 
@@ -94,8 +130,12 @@ class PythonStudent:
         if function is None or self.missing(name):
             return np.zeros((len(arguments[0]), width))
         try:
-            made = [function(*(np.array(a) for a in row)) for row in zip(*arguments, strict=True)]
-        except Exception as error:
+            with limited(self._file):
+                rows = zip(*arguments, strict=True)
+                made = [function(*(np.array(a) for a in row)) for row in rows]
+        except LessonError:
+            raise
+        except (Exception, SystemExit) as error:
             raise mistake(error, self._file, 1) from error
         with suppress(TypeError, ValueError):
             results = np.array(made, dtype=np.float64)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from textwrap import fill
 
-from playground.lesson.library import slide_titles
+from playground.lesson.library import slide_titles, steps_by_slide
 from playground.lesson.parts import Figure, Goal, Item, Lesson, Page, Question, Text
 from playground.lesson.prose import Block
 
@@ -56,17 +56,10 @@ def listed(lessons: list[Lesson]) -> str:
 
 def by_slide(lessons: list[Lesson]) -> str:
     """For each slide, the steps that treat it: lesson.step, counted from 1."""
-    rows: dict[int, list[str]] = {}
     titles = slide_titles(lessons[0].path.parent) if lessons else []
-    for number in range(1, len(titles) + 1):
-        rows[number] = []
-    for lesson in lessons:
-        for i, step in enumerate(lesson.steps, 1):
-            for slide in step.slides:
-                name = lesson.path.stem if lesson.number is None else str(lesson.number)
-                rows.setdefault(slide, []).append(f"{name}.{i} {step.heading}")
-    return "\n".join(
-        f"{slide:3}  {titles[slide - 1] if slide <= len(titles) else '':44}  "
-        f"{'; '.join(steps) or '(no lesson yet)'}"
-        for slide, steps in sorted(rows.items())
-    )
+    rows = []
+    for slide, steps in steps_by_slide(lessons).items():
+        words = [f"{lesson.name}.{i} {lesson.steps[i - 1].heading}" for lesson, i in steps]
+        title = titles[slide - 1] if slide <= len(titles) else ""
+        rows.append(f"{slide:3}  {title:44}  {'; '.join(words) or '(no lesson yet)'}")
+    return "\n".join(rows)

@@ -128,19 +128,22 @@ def plot(
     y: str,
     curves: Mapping[str, ArrayLike],
     shows: Check,
+    log: str = "",
 ) -> Figure:
     """Curves over a common ``x``, which comes with its label; ``y`` is the label upwards.
 
-    ``shows`` is called with the curves, in order.
+    ``shows`` is called with the curves, in order. ``log`` names the axes that are logarithmic:
+    ``"x"``, ``"y"`` or ``"xy"``.
 
     Raises
     ------
     PlaygroundError
-        The curves do not show what the caption says, or have another length than x.
+        The curves do not show what the caption says, have another length than x, or numbers that
+        have no logarithm.
     """
     from playground.lesson.plots import plotted
 
-    codes, svg = plotted(caption, x, y, curves, shows)
+    codes, svg = plotted(caption, x, y, curves, shows, log)
     return _keep(Figure(_parsed(caption), codes, svg), caption)
 
 
@@ -209,7 +212,7 @@ def goal(text: str, *, reached: Callable[[Setup], object], solution: Setup, hint
         _print(f"Goal: {text}")
 
 
-def listing(file: str, *, first: str = "", last: str = "") -> str:
+def listing(file: str, *, first: str = "", last: str = "", plain: bool = False) -> str:
     """Show lines of a shader file as they stand in it, and return them.
 
     Parameters
@@ -219,6 +222,8 @@ def listing(file: str, *, first: str = "", last: str = "") -> str:
     first, last : str, optional
         How the first and the last line begin; by default those of the file. Comment lines at
         the head of the file are left out.
+    plain : bool, optional
+        Leave out what ``#if`` keeps for a feature, such as textures: the lines of a plain surface.
 
     Raises
     ------
@@ -227,7 +232,7 @@ def listing(file: str, *, first: str = "", last: str = "") -> str:
     """
     from playground.lesson.shader_lines import shader_lines
 
-    text = shader_lines(file, first, last)
+    text = shader_lines(file, first, last, plain)
     name = Block("paragraph", (Span("code", f"shaders/{file}"), Span("text", ":")))
     recorder = _recorder.get()
     if recorder is not None:

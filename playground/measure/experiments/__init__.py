@@ -29,6 +29,13 @@ EXPERIMENTS = (
     "rays",
     "trace-precision",
     "offset",
+    "form-factors",
+    "hemicube",
+    "solvers",
+    "subdivision",
+    "lightmap",
+    "radiosity-precision",
+    "radiosity",
 )
 
 

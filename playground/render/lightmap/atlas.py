@@ -6,6 +6,9 @@ how large the charts may be, so that all of them fill one square and none touche
 
 from __future__ import annotations
 
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
@@ -92,33 +95,44 @@ def unwrap(scene: Scene, size: int) -> Atlas:
     scale = 2.0 ** np.floor(np.log2(UNITS / farthest))
     meshes = [(positions * scale, faces) for positions, faces in world]
 
-    # Search for the largest charts that fit: the packing decides, so there is no formula for it.
+    with _on_one_processor():
+        packed, density = _largest(meshes, size)
+        parts = _parts(packed, meshes, size)
+        del packed  # with its threads
+    return Atlas(size, parts, float(density * scale))
+
+
+def _largest(meshes: list[tuple[Array, Ints]], size: int) -> tuple[Any, float]:
+    """An xatlas with the largest charts that fit, and its texels per unit.
+
+    The packing decides, so there is no formula for it: a search.
+    """
     space = size - 2 * BORDER
     area = sum(float(_areas(positions, faces).sum()) for positions, faces in meshes)
     low, high = 0.0, space / np.sqrt(area)
-    best: tuple[Any, float] | None = None
+    packed = _filled(meshes)
     for _ in range(ROUNDS):
         if high - low <= CLOSE * high:
             break
-        density = 0.5 * (low + high) if best is not None or low > 0.0 else 0.7 * high
-        packed = _packed(meshes, density, space, area)
-        if packed is None:
-            high = density
+        density = 0.5 * (low + high) if low > 0.0 else 0.7 * high
+        if _packs(packed, density, space, area):
+            low = density
         else:
-            low, best = density, (packed, density)
-    if best is None:
+            high = density
+    if low == 0.0:
         raise PlaygroundError(
             "the surfaces do not fit into the lightmap",
             got=f"{size} x {size} texels",
             fix="Give it more texels, or take coarser meshes: every piece needs a few texels.",
         )
-    packed, density = best
-    return Atlas(size, _parts(packed, meshes, size), float(density * scale))
+    _packs(packed, low, space, area)
+    return packed, low
 
 
 def check_size(size: int) -> None:
     """Raise an error unless a lightmap can be ``size`` texels wide."""
-    if isinstance(size, bool) or not isinstance(size, int) or not SIZES[0] <= size <= SIZES[1]:
+    whole = isinstance(size, (int, np.integer)) and not isinstance(size, bool)
+    if not whole or not SIZES[0] <= size <= SIZES[1]:
         raise PlaygroundError(
             "this cannot be the size of a lightmap",
             got=str(size),
@@ -137,22 +151,45 @@ def _areas(positions: Array, faces: Ints) -> Array:
     return np.asarray(0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1))
 
 
-def _packed(
-    meshes: list[tuple[Array, Ints]], density: float, space: int, area: float
-) -> Any | None:
-    """An xatlas of all meshes at ``density`` texels per unit; None if it needs more space."""
+@contextmanager
+def _on_one_processor() -> Iterator[None]:
+    """Keep this thread, and those that it starts meanwhile, on one processor if that is possible.
+
+    xatlas 0.0.11 starts threads that get in each other's way: of some hundred atlases one
+    crashes or hangs. On one processor thousands did not.
+    """
+    if not hasattr(os, "sched_setaffinity"):
+        yield
+        return
+    allowed = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, {min(allowed)})
+    try:
+        yield
+    finally:
+        os.sched_setaffinity(0, allowed)
+
+
+def _filled(meshes: list[tuple[Array, Ints]]) -> Any:
+    """An xatlas of all meshes, not yet packed; one for all attempts, since making one is slow."""
     import xatlas
 
     atlas = xatlas.Atlas()
     for positions, faces in meshes:
         if np.any(positions):
             atlas.add_mesh(positions.astype(np.float32), faces.astype(np.uint32))
+    return atlas
+
+
+def _packs(atlas: Any, density: float, space: int, area: float) -> bool:
+    """Pack an xatlas at ``density`` texels per unit; False if it needs more space."""
+    import xatlas
+
     packing = xatlas.PackOptions()
     packing.padding, packing.bilinear = GUTTER, True
     packing.resolution, packing.texels_per_unit = space, float(density)
     atlas.generate(xatlas.ChartOptions(), packing)
     if atlas.atlas_count != 1 or max(atlas.width, atlas.height) > space:
-        return None
+        return False
 
     # A chart wider than the space would have been shrunk, and have fewer texels than the others.
     covered = 0.0
@@ -160,7 +197,7 @@ def _packed(
         _, faces, texcoords = atlas[number]
         places = np.pad(texcoords * (atlas.width, atlas.height), ((0, 0), (0, 1)))
         covered += float(_areas(places, faces).sum())
-    return atlas if covered >= 0.98 * density * density * area else None
+    return bool(covered >= 0.98 * density * density * area)
 
 
 def _parts(packed: Any, meshes: list[tuple[Array, Ints]], size: int) -> tuple[Part | None, ...]:
