@@ -62,11 +62,13 @@ def window(options: Namespace) -> int:
 
 def render(options: Namespace) -> int:
     """Write a picture or a sheet; status 1 if a sheet finds its own sum wrong."""
+    from playground.files import check_place
     from playground.render.checks import check_method
     from playground.render.image_file import check_suffix
 
     suffix = check_suffix(options.output)
     check_method(options.method)
+    check_place(options.output)
     raster = options.method == "raster"
     if options.sheet is not None:
         if not raster and options.sheet in ("terms", "shininess", "shading"):

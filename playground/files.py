@@ -64,6 +64,21 @@ def write_whole(path: Path, data: bytes) -> None:
         raise
 
 
+def check_place(path: Path) -> None:
+    """Raise the error that `write_whole` would, before the work for what is to be written."""
+    try:
+        place = Path(os.path.realpath(path))
+    except ValueError:
+        raise no_name(path) from None
+    if place.is_dir():
+        raise PlaygroundError(f"{path} is a folder", allowed="a file")
+    try:
+        with tempfile.TemporaryFile(dir=place.parent):
+            pass
+    except OSError as error:
+        raise _unwritable(place, error) from None
+
+
 def make_folder(path: Path) -> None:
     """Make a folder and those above it, unless it is there.
 

@@ -36,6 +36,7 @@ SOLVERS = (
     "conjugate-gradients",
     "direct",
 )
+LIGHT_SHOWN = ("all", "direct", "indirect")
 MARKS = ("nan", "infinite", "negative", "denormal", "clamped")  # KINDS of shading/marks.py
 
 
@@ -109,7 +110,7 @@ class Settings(Declared):
         1e-4, 1e-12, 0.5, scale="log", help="radiosity: share of the light left when it stops"
     )
     light_shown: str = choice(
-        "all", ("all", "direct", "indirect"), help="radiosity, lightmap: straight from lamps or not"
+        "all", LIGHT_SHOWN, help="radiosity, lightmap: straight from lamps or not"
     )
 
     bugs: tuple[str, ...] = names((), BUGS, help="classic mistakes to make, on the GPU only")

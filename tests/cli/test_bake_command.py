@@ -58,6 +58,20 @@ def test_mistakes_leave_nothing_behind(tmp_path, arguments, said):
     assert os.listdir(tmp_path) == []
 
 
+@pytest.mark.parametrize("name", ["a.toml", "a.lightmap.npz"])
+def test_a_place_that_takes_no_file_is_told_before_the_work(tmp_path, monkeypatch, name):
+    from playground.render.lightmap import command
+
+    def never(*_):
+        raise AssertionError
+
+    monkeypatch.setattr(command, "_with_bar", never)
+    (tmp_path / name).mkdir()
+    with pytest.raises(pg.PlaygroundError, match="is a folder"):
+        command.run_bake(pg.load("furnace"), tmp_path / "a.toml", 32, 1, "numpy")
+    assert os.listdir(tmp_path) == [name]
+
+
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no such signal for one process")
 def test_stopped_it_leaves_the_old_files(tmp_path):
     ok("bake", "furnace", "-o", "a.toml", *FEW, cwd=tmp_path)

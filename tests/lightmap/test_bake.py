@@ -217,12 +217,28 @@ def test_numbers_of_rays_that_are_none(rays):
         next(baking(radiosity(pg.load("furnace")), 32, rays))
 
 
+def test_more_texels_than_fit_are_refused_before_any_work(monkeypatch):
+    monkeypatch.setattr("playground.render.lightmap.bake.available", lambda: 1000 * 100**2)
+    result = radiosity(pg.load("furnace").with_(patches=24), "numpy")
+    with pytest.raises(pg.PlaygroundError, match=r"101 x 101 texels.*about 100 texels"):
+        bake(result, 101)
+    assert result.step is None, "nothing was solved"
+    assert bake(result, 100, 0).size == 100
+
+
 def test_the_hemisphere():
     """Evenly spread as the cosine: its mean direction is (0, 0, 2/3), and every ray is a unit."""
     rays = hemisphere(4096)
     assert np.abs(np.linalg.norm(rays, axis=1) - 1.0).max() < 1e-15
     # A lattice of n points misses the integral of a smooth function by a few 1/n.
     assert np.abs(rays.mean(axis=0) - (0.0, 0.0, 2.0 / 3.0)).max() < 8.0 / 4096
+
+
+def test_only_light_that_there_is_can_be_shown():
+    result = radiosity(pg.load("furnace").with_(patches=24), "numpy")
+    for ask in (result.bake(16).image, lambda shown: result.stored(shown=shown)):
+        with pytest.raises(pg.PlaygroundError, match="'both'; allowed: all, direct, indirect"):
+            ask("both")
 
 
 def test_frames(rng):

@@ -343,6 +343,17 @@ def test_free_memory_is_known_on_linux():
     assert free is None or 2**20 < free < 2**50
 
 
+def test_a_container_has_no_more_memory_than_it_may(monkeypatch, tmp_path):
+    machine = memory.available()
+    file = tmp_path / "memory.max"
+    monkeypatch.setattr(memory, "LIMITS", (str(file), str(tmp_path / "none")))
+    assert machine is None or memory.available() >= 2**20
+    file.write_text("1048576\n")
+    assert memory.available() == 2**20
+    file.write_text("max\n")
+    assert machine is None or memory.available() > 2**20
+
+
 def test_the_same_setup_gives_the_same_patches():
     setup = pg.load("teapot").with_(patches=100, tessellation=3, diffuse=(0.5, 0.5, 0.5))
     one, other = divide(setup), divide(setup)

@@ -217,6 +217,15 @@ def test_a_small_window_opens_a_room():
         assert not is_closed(patches_of([*WALLS[:5], *top], [(4, 4)] * 6))
 
 
+def test_many_small_patches_do_not_hide_what_a_few_large_ones_lose():
+    """The back of a lamp below the ceiling takes light, however finely a small block is cut."""
+    lamp = [rectangle((-0.3, 0.9, -0.3), (0.6, 0, 0), (0, 0, 0.6))]
+    small = block(0.0, 0.0, 0.2, 0.1, 0.0)
+    for m in (1, 40):
+        patches = patches_of([*WALLS, *small, *lamp], [(8, 8)] * 6 + [(m, m)] * 6 + [(1, 1)])
+        assert not is_closed(patches), m
+
+
 def test_it_is_asked_only_when_it_matters(monkeypatch):
     def never(patches):
         raise AssertionError
@@ -227,6 +236,14 @@ def test_it_is_asked_only_when_it_matters(monkeypatch):
     FormFactors(Counted(matrix), patches, normalise=False).rows([1, 2])
     with pytest.raises(AssertionError):
         FormFactors(Counted(matrix), patches).rows([1, 2])
+
+
+@pytest.mark.parametrize("chosen", [[6], [0, -1], [0.5]])
+def test_patches_that_are_none_have_no_rows(chosen):
+    factors = FormFactors(Counted(np.eye(6)), cube(1), closed=True)
+    for ask in (factors.rows, factors.row_sums):
+        with pytest.raises(PlaygroundError, match=r"no such patch.*from 0 to 5"):
+            ask(chosen)
 
 
 def test_known_matrices_are_closed_by_their_sums(rng):

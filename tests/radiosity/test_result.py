@@ -33,6 +33,12 @@ def prepared(light, setup):
     return sum(1 for _ in light.prepare(setup))
 
 
+@pytest.mark.parametrize("renderer", ["gpu", "embree", None])
+def test_a_renderer_that_computes_no_form_factors(renderer):
+    with pytest.raises(pg.PlaygroundError, match=r"unknown renderer.*auto, gl, numpy"):
+        pg.radiosity(furnace(), renderer)
+
+
 @pytest.mark.parametrize("solver", ["jacobi", "gauss-seidel", "conjugate-gradients", "direct"])
 def test_the_furnace_is_even(solver):
     result = pg.radiosity(furnace(solver=solver), "numpy").solve()
@@ -180,6 +186,21 @@ def test_what_was_drawn_before_leaves_no_trace_in_a_solution(gl, form_factors):
     pg.render(pg.load("sphere").with_(samples=4, gate=True), SIZE, "gl")
     again = pg.radiosity(setup, "gl", gl).solve()
     assert first.light.any() and np.array_equal(first.light, again.light)
+
+
+@pytest.mark.parametrize(
+    ("method", "solver", "told"),
+    [
+        ("hemicube", "southwell", True),
+        ("hemicube", "jacobi", False),
+        ("closed-form", "southwell", False),
+    ],
+)
+def test_blotches_are_told_of_once(method, solver, told):
+    setup = room(patches=24, refinement=2, form_factors=method, solver=solver, hemicube=16)
+    result = pg.radiosity(setup.with_(convergence=0.1), "numpy").solve()
+    assert result.round == 2
+    assert sum("blotches" in text for text in result.warnings) == told
 
 
 def test_refinement_divides_where_light_changes_and_solves_again():

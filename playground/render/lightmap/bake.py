@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator
 from dataclasses import dataclass
+from math import isqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from playground.errors import PlaygroundError
-from playground.render.lightmap.atlas import GUTTER, unwrap
+from playground.render.lightmap.atlas import GUTTER, check_size, unwrap
 from playground.render.lightmap.buried import filled
 from playground.render.lightmap.lighting import Lighting
 from playground.render.lightmap.lightmap import Lightmap, geometry_checksum, lighting_checksum
 from playground.render.lightmap.seams import find_seams, sewn
 from playground.render.lightmap.texels import lay_out
+from playground.render.radiosity.memory import available
 from playground.shading.floats import Array
 from playground.shading.lightmap import dilated
 
@@ -24,6 +26,7 @@ if TYPE_CHECKING:
 SIZE = 256  # texels along an edge, unless asked otherwise
 RAYS = 256  # gathered per texel, unless asked otherwise
 MOST_RAYS = 65536
+BYTES = 1000  # of memory for each texel of the image, measured; a little more than it takes
 BATCH = 1 << 18  # rays sent between two reports of progress
 
 
@@ -94,12 +97,10 @@ def baking(result: Radiosity, size: int = SIZE, rays: int = RAYS) -> Generator[f
     Raises
     ------
     PlaygroundError
-        A size or number of rays that is none, or surfaces that do not fit into that size.
+        A size or number of rays that is none, surfaces that do not fit into that size, or
+        more texels than memory has room for while they are lit.
     """
-    if isinstance(rays, bool) or not isinstance(rays, int) or not 0 <= rays <= MOST_RAYS:
-        raise PlaygroundError(
-            "this cannot be the number of rays per texel", got=rays, allowed=f"0 to {MOST_RAYS}"
-        )
+    _check(size, rays)
     setup = result.setup
     atlas = unwrap(setup.scene, size)
     yield 0.01
@@ -129,6 +130,23 @@ def baking(result: Radiosity, size: int = SIZE, rays: int = RAYS) -> Generator[f
     checksums = geometry_checksum(setup.scene), lighting_checksum(setup)
     lightmap = Lightmap(size, direct, indirect, covered, chart, atlas.parts, *checksums)
     return Baked(lightmap, atlas.charts, jump, int(lighting.buried.sum()), lighting.split())
+
+
+def _check(size: int, rays: int) -> None:
+    """Raise an error before the work for numbers that make none, or more than fits into memory."""
+    if isinstance(rays, bool) or not isinstance(rays, int) or not 0 <= rays <= MOST_RAYS:
+        raise PlaygroundError(
+            "this cannot be the number of rays per texel", got=rays, allowed=f"0 to {MOST_RAYS}"
+        )
+    check_size(size)
+    free = available()
+    if free is not None and size * size * BYTES > free:
+        raise PlaygroundError(
+            f"baking {size} x {size} texels does not fit into memory",
+            got=f"{size}² × {BYTES} bytes = {size * size * BYTES / 1e9:.3g} GB, "
+            f"and {free / 1e9:.3g} GB free",
+            allowed=f"about {isqrt(free // BYTES)} texels along an edge on this machine",
+        )
 
 
 def _with_gutters(image: Array, covered: Array) -> Array:

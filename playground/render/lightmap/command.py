@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from playground.errors import PlaygroundError
-from playground.files import read_bytes, resolved, write_whole
+from playground.files import check_place, read_bytes, resolved, write_whole
 from playground.render.lightmap.atlas import check_size
 from playground.render.lightmap.lightmap_file import SUFFIX
 from playground.scene.setup import Setup
@@ -31,6 +31,8 @@ def run_bake(setup: Setup, output: Path, texels: int, rays: int, renderer: str) 
     check_size(texels)
     file = output.with_suffix(f".lightmap{SUFFIX}")
     _check_folder(output)
+    for path in (output, file):
+        check_place(path)
     with_it = setup.with_(lightmap=str(resolved(file)))
     format_setup(with_it, output.parent)  # says now if the setup cannot be written
 
@@ -69,8 +71,8 @@ def _with_bar(result: Radiosity, texels: int, rays: int) -> Baked:
 def _write(baked: Baked, setup: Setup, output: Path, file: Path) -> None:
     """Write both files; if the second fails, the first is as it was before."""
     before = read_bytes(file) if file.exists() else None
-    baked.lightmap.save(file)
     try:
+        baked.lightmap.save(file)
         save(setup, output)
     except BaseException:
         with suppress(OSError, PlaygroundError):

@@ -9,10 +9,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.errors import PlaygroundError
+from playground.errors import PlaygroundError, unknown_name
 from playground.render.image import Image
 from playground.render.lightmap.atlas import Part
 from playground.scene.scene import Scene
+from playground.scene.settings import LIGHT_SHOWN
 from playground.scene.setup import Setup
 from playground.shading.display import srgb_decode
 
@@ -54,6 +55,8 @@ class Lightmap:
 
     def texels(self, light_shown: str = "all") -> Singles:
         """The light to draw with, (H, W, 3): all, direct or indirect, as `Settings.light_shown`."""
+        if light_shown not in LIGHT_SHOWN:
+            raise unknown_name("light_shown", light_shown, LIGHT_SHOWN)
         if light_shown == "all":
             return np.asarray(self.direct + self.indirect)
         return self.direct if light_shown == "direct" else self.indirect

@@ -8,6 +8,7 @@ alone cannot tell the two apart, so rays are asked.
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from playground.render.radiosity.patches import Parents, Patches
 from playground.render.trace.bvh import build
@@ -16,7 +17,7 @@ from playground.shading.floats import Array
 from playground.shading.vector import cross, dot, unit
 
 RAYS = 16  # from each patch that is asked
-ASKED = 256  # patches, evenly chosen
+ASKED = 256  # patches, evenly chosen, and as many once more by their area
 MOVES = (0.7548776662466927, 0.5698402909980532)  # Roberts 2018: multiples fill a square evenly
 LOST = 1e-3  # a larger share of rays that meet nothing, or a back, makes a scene open
 ROW_SUM_OF_CLOSED = 0.05  # a known matrix is closed if no row sum is farther from 1
@@ -29,8 +30,21 @@ def is_closed(patches: Patches) -> bool:
     surface sends its light. A patch from which no ray meets any front is covered, as
     the floor beneath a box is, and does not count. An opening that patches see as less than
     about `LOST` of their hemisphere is missed: normalising then changes a sum by no more.
+    That is so of evenly chosen patches, and of patches chosen by area: many small ones, such as
+    those of a round thing, must not hide what a few large ones lose.
     """
-    chosen = np.unique(np.linspace(0, len(patches) - 1, min(ASKED, len(patches))).astype(int))
+    count = min(ASKED, len(patches))
+    evenly = np.linspace(0, len(patches) - 1, count).astype(int)
+    by_area = np.searchsorted(
+        np.cumsum(patches.area), (np.arange(count) + 0.5) / count * patches.area.sum()
+    )
+    return all(
+        _keeps(patches, chosen) for chosen in (evenly, np.minimum(by_area, len(patches) - 1))
+    )
+
+
+def _keeps(patches: Patches, chosen: NDArray[np.intp]) -> bool:
+    """Whether the rays of the chosen patches stay."""
     normal = patches.normal[chosen]
     direction = _spread(normal)
     size = float(np.ptp(patches.points, axis=0).max())

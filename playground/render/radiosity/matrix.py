@@ -130,16 +130,28 @@ class FormFactors:
 
     def rows(self, chosen: ArrayLike) -> Array:
         """The corrected rows of the chosen patches, (k, N) float64."""
-        patches = np.asarray(chosen, np.int64).reshape(-1)
+        patches = self._known(chosen)
         raw = self._raw(patches)
         return np.multiply(raw, self._scale(patches)[:, None], dtype=np.float64)
 
     def row_sums(self, chosen: ArrayLike) -> Array:
         """What the corrected rows of the chosen patches sum to, (k,): 1 where it was corrected."""
-        patches = np.asarray(chosen, np.int64).reshape(-1)
+        patches = self._known(chosen)
         if np.isnan(self._sum[patches]).any():
             self._raw(patches)
         return np.asarray(self._sum[patches] * self._scale(patches))
+
+    def _known(self, chosen: ArrayLike) -> NDArray[Any]:
+        """The chosen patches (k,), if there are such."""
+        patches = np.atleast_1d(np.asarray(chosen)).reshape(-1)
+        whole = np.issubdtype(patches.dtype, np.integer) or len(patches) == 0
+        if not whole or not np.all((patches >= 0) & (patches < len(self))):
+            raise PlaygroundError(
+                "there is no such patch",
+                got=chosen,
+                allowed=f"whole numbers from 0 to {len(self) - 1}",
+            )
+        return patches.astype(np.int64)
 
     def raw_sums(self) -> Array:
         """What the rows summed to as they came, (N,); NaN for those not computed yet."""

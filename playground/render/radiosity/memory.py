@@ -9,10 +9,28 @@ from pathlib import Path
 from playground.errors import PlaygroundError
 
 BYTES = 8  # of a form factor
+# Where Linux says how much memory a container may have: as of today, and before
+LIMITS = ("/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes")
 
 
 def available() -> int | None:
-    """Bytes of memory that can be had without swapping; None where the system does not say."""
+    """Bytes of memory that can be had without swapping; None where the system does not say.
+
+    In a container at most as much as that may have.
+    """
+    said = [size for size in (_of_the_machine(), *map(_limit, LIMITS)) if size is not None]
+    return min(said, default=None)
+
+
+def _limit(file: str) -> int | None:
+    """What a container may have; None for all of it, and where there is none."""
+    try:
+        return int(Path(file).read_text(encoding="ascii"))
+    except (OSError, ValueError):
+        return None
+
+
+def _of_the_machine() -> int | None:
     try:
         for line in Path("/proc/meminfo").read_text(encoding="ascii").splitlines():
             if line.startswith("MemAvailable:"):

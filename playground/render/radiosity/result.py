@@ -7,11 +7,13 @@ solver wants them. Light is in the unit of colours, which is radiance (radiosity
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from playground.errors import unknown_name
 from playground.render.checks import check_setup
 from playground.render.radiosity.depends import FACTORS
 from playground.render.radiosity.direct import direct_light
@@ -26,6 +28,7 @@ from playground.render.radiosity.report import Report, brief, report_on
 from playground.render.radiosity.solve import SOLVERS
 from playground.render.radiosity.system import Step, System
 from playground.render.stored import StoredLight
+from playground.scene.settings import LIGHT_SHOWN
 from playground.scene.setup import Setup
 from playground.shading.floats import Array
 
@@ -34,7 +37,12 @@ if TYPE_CHECKING:
 
     from playground.render.lightmap.lightmap import Lightmap
 
+RENDERERS = ("auto", "gl", "numpy")
 SHOOTING = ("progressive", "southwell", "overshooting")  # they use rows as columns
+BLOTCHES = (
+    "Small patches that are shot at through a hemicube catch a pixel of it too many or none, which "
+    "shows as blotches: the solver 'gauss-seidel', or the form factors 'closed-form', make none."
+)
 
 
 def radiosity(
@@ -51,6 +59,8 @@ def radiosity(
         A window's, instead of one of our own.
     """
     check_setup(setup)
+    if renderer not in RENDERERS:
+        raise unknown_name("renderer", renderer, RENDERERS)
     return Radiosity(setup, renderer, context)
 
 
@@ -220,8 +230,10 @@ class Radiosity:
 
     def stored(self, flat: bool = False, shown: str = "all") -> tuple[StoredLight | None, ...]:
         """The light as it is drawn, per object; ``shown`` is all, direct or indirect."""
-        light = {"direct": lambda: self.direct, "indirect": lambda: self.indirect}
-        return self.drawn(flat).stored(light.get(shown, lambda: self.arriving)())
+        if shown not in LIGHT_SHOWN:
+            raise unknown_name("light_shown", shown, LIGHT_SHOWN)
+        light = self.arriving if shown == "all" else getattr(self, shown)
+        return self.drawn(flat).stored(light)
 
     def bake(self, size: int = 256) -> Lightmap:
         """The light as a texture of ``size`` × ``size`` texels; solved first, if it is not."""
@@ -254,6 +266,9 @@ class Radiosity:
         for name in ("patches", "form_factors", "lamps", "system", "direct"):
             self.__dict__.pop(name, None)
         self._drawn.clear()
+        settings = self.setup.settings
+        if settings.form_factors == "hemicube" and settings.solver in SHOOTING and self.round == 0:
+            finer = replace(finer, warnings=(*finer.warnings, BLOTCHES))
         self.patches, self.step = finer, None
         self.round += 1
         return True
