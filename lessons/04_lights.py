@@ -105,7 +105,7 @@ edges = {kind: across(light)[0] / across(light)[WIDE // 2] for kind, light in ki
 number("sun_edge", edges["directional"], expected=1, tolerance=1e-6)
 number("bulb_edge", edges["point"], expected=np.sqrt(0.5), tolerance=0.002)
 number("torch_edge", edges["spot"], expected=0)
-show(table.with_(lights=[bulb]), pixel=(0.3, 0.75), panel="Lights")
+show(table.with_(lights=[bulb]), pixel=(0.5, 0.62), panel="Lights")
 
 # %% [markdown]
 # At the edge of the floor the directional light has {sun_edge:.2f} of its brightness in the middle,

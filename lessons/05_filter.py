@@ -99,7 +99,7 @@ def filtered(light):
 for name, light in lights.items():
     figure(
         [pg.render(ball(material, light), SIZE) for material in materials.values()],
-        f"Under a {name} each ball shows only what lamp and ball both have: red, green or blue.",
+        f"Under a {name} each ball shows only what lamp and ball both have.",
         names=list(materials),
         shows=filtered(light),
     )

@@ -247,16 +247,13 @@ lowest = np.degrees(
 number("rim", critical - lowest, expected=3.8, tolerance=0.05)
 # The radius is 79 pixels; half of one, where they are densest, is 0.2°.
 number("window", window_angle(up), expected=critical, tolerance=0.2)
-show(
-    dive,
+figure(
+    pg.render(dive, (480, 360), **TRACED),
     "From under water: the whole sky is in a round window, around it the bottom is mirrored.",
     shows=lambda picture: (
         picture.pixels[180, 240, 2] > 0.8
         and picture.pixels[180, 20, 2] < 0.01 < 0.2 < picture.pixels[180, 20:60, 0].max()
     ),
-    panel="Explain",
-    pixel=(0.5, 0.5),
-    **TRACED,
 )
 
 # %% [markdown]

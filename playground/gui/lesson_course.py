@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from playground.errors import PlaygroundError
-from playground.lesson.library import find
+from playground.lesson.library import find, following
 from playground.lesson.parts import Goal, Item, Lesson, Page, Question, View
 from playground.lesson.script import read_lesson
 
@@ -26,7 +26,8 @@ class Course:
     """Which lesson, which step, what has run, and what the student has done.
 
     ``answers`` holds (step, question, choice), ``reached`` and ``hinted`` (step, goal); questions
-    and goals are counted within their step. ``shown`` is the view that the window was set to last.
+    and goals are counted within their step. ``shown`` is the view that the window was set to last,
+    ``after`` the lesson that comes next.
     """
 
     lesson: Lesson
@@ -37,6 +38,7 @@ class Course:
     hinted: frozenset[tuple[int, int]] = frozenset()
     shown: View | None = None
     error: str = ""
+    after: Path | None = None
 
     @property
     def page(self) -> Page | None:
@@ -92,7 +94,8 @@ def open_lesson(state: State, which: str | Path) -> State:
         lesson = read_lesson(find(str(which)))
     except PlaygroundError as error:
         return state.fail(error)
-    return replace(state, lesson=Course(lesson), sheet="").say(lesson.title)
+    course = Course(lesson, after=following(lesson.path))
+    return replace(state, lesson=course, sheet="").say(lesson.title)
 
 
 def read_again(state: State) -> State:
@@ -104,7 +107,7 @@ def read_again(state: State) -> State:
     except PlaygroundError as error:
         return replace(state, lesson=replace(state.lesson, pages=(), error=str(error)))
     step = min(state.lesson.step, len(lesson.steps) - 1)
-    again = Course(lesson, step, answers=state.lesson.answers)
+    again = Course(lesson, step, answers=state.lesson.answers, after=state.lesson.after)
     return replace(state, lesson=again).say(f"{lesson.path.name} was read again")
 
 

@@ -18,6 +18,7 @@ from playground.errors import PlaygroundError
 FAMILY = "cm"  # Computer Modern, the letters of LaTeX
 UNITS = 100.0  # per em, in which matplotlib gives outlines
 LARGER = 1.18  # its letters are smaller than those of the text around them
+DEGREES = re.compile(r"°|\^\\circ\b")
 DEGREE = r"^{\circ}"  # without the braces it would have the room of an operator around it
 CLOSE = re.compile(r"(?<=[0-9A-Za-z})])\s*(?=\\(?:sin|cos|tan|max)\b)")  # no room before a function
 LETTERS = {1: "M", 2: "L", 3: "Q", 4: "C", 79: "Z"}  # of SVG for matplotlib's path codes
@@ -75,7 +76,7 @@ def mask(formula: str, size: float) -> Mask:
 
 def _source(formula: str) -> str:
     """As mathtext reads it: no sign for a degree, and no room before the name of a function."""
-    return "$" + CLOSE.sub(r"\\,", formula).replace("°", DEGREE) + "$"
+    return "$" + DEGREES.sub(lambda _: DEGREE, CLOSE.sub(r"\\,", formula)) + "$"
 
 
 @lru_cache(maxsize=512)

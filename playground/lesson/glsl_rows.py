@@ -38,9 +38,8 @@ def run_rows(
     except NoDriverError as error:
         raise PlaygroundError(
             "GLSL is checked by the GPU, and there is no GL driver",
-            got=str(error),
-            fix="Or write the functions in Python, which needs none.",
-        ) from None
+            fix="Write the functions in Python, or see playground doctor for what to install.",
+        ) from error
     try:
         program = context.program(vertex_shader=source.text, varyings=("out_result",))
     except moderngl.Error as error:

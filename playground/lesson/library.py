@@ -19,6 +19,13 @@ def lessons() -> list[Path]:
     return sorted(locate.lesson("").glob("[0-9][0-9]_*.py"))
 
 
+def following(path: Path) -> Path | None:
+    """The lesson after one of those that come with the project; None behind the last."""
+    every = lessons()
+    place = every.index(path) + 1 if path in every else len(every)
+    return every[place] if place < len(every) else None
+
+
 def find(which: str) -> Path:
     """The file of a lesson: ``"7"``, ``"07_specular"``, or a path.
 

@@ -166,12 +166,28 @@ def test_hint_solution_and_start_are_a_click_away(hands, course):
     at_goal(hands)
     press(hands, "goal 0/Hint", "step 2")
     assert hands.state.lesson.hinted == {(2, 0)}
+    press(hands, "goal 0/Hint", "step 2")  # it is still there, and does nothing
+    assert shininess(hands) == 10
     press(hands, "goal 0/Show me", "step 2")
     assert shininess(hands) == 80
     until(hands, lambda: (2, 0) in hands.state.lesson.reached)
     press(hands, "goal 0/From the start", "step 2")
     hands.frames(2)
     assert shininess(hands) == 10
+
+
+def test_the_last_step_leads_to_the_next_lesson(hands, course):
+    at_goal(hands)
+    assert hands.state.lesson.after is None  # behind a lesson of one's own there is none
+    hands.window.state = open_lesson(hands.state, "1")
+    assert hands.state.lesson.after == lessons()[1]
+    at_goal(hands)
+    last = replace(hands.state.lesson, step=len(hands.state.lesson.lesson.steps) - 1)
+    page = replace(last.pages[2], items=())  # as if it had run
+    pages = (*last.pages, *[page] * (last.step + 1 - len(last.pages)))
+    hands.window.state = replace(hands.state, lesson=replace(last, pages=pages))
+    press(hands, "###next lesson", f"step {last.step}")
+    assert hands.state.lesson.lesson.path == lessons()[1] and hands.state.lesson.step == 0
 
 
 def test_formulas_and_figures_are_drawn(hands, course):

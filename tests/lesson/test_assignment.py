@@ -7,6 +7,7 @@ import pytest
 
 from playground import locate
 from playground.cli import main
+from playground.lesson import student
 from playground.lesson.assignments.phong import ASSIGNMENT, DIFFUSE, SPECULAR, diffuse, specular
 from playground.render.image_file import read_image
 
@@ -144,11 +145,68 @@ def test_the_stubs_are_not_written_yet(suffix, tmp_path, capsys, request):
         ("import nowhere\n", 1, "ModuleNotFoundError"),
         (RIGHT.replace("max(normal @ to_light, 0)", "maximum(normal)"), 6, "NameError"),
         (RIGHT.replace("0) * light * material\n\n", "0)\n\n"), 4, "must return a colour"),
+        ("import sys\nsys.exit(3)\n", 2, "SystemExit"),
     ],
 )
 def test_a_file_that_fails_is_told_with_its_line(text, line, words, tmp_path, capsys):
     status, said = checked(tmp_path, capsys, text)
     assert status == 2 and f"student.py:{line}: " in said.err and words in said.err
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("while True:\n    pass\n", (1, 2)),
+        (
+            "def diffuse(normal, to_light, light, material):\n    while True:\n        pass\n",
+            (2, 3),
+        ),
+    ],
+)
+def test_what_does_not_end_is_stopped(text, line, tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(student, "PATIENCE", 0.2)
+    status, said = checked(tmp_path, capsys, text)
+    assert status == 2 and "no end after 0.2 seconds" in said.err
+    assert any(f"student.py:{number}: " in said.err for number in line)
+
+
+@pytest.mark.gl
+@pytest.mark.parametrize(
+    "text",
+    [
+        "vec3 diffuse(vec3 normal, vec3 to_light) { return vec3(0.0); }\n",
+        "vec3 diffuse(vec3 normal, vec3 to_light, vec3 light, vec3 material) { return light;\n",
+    ],
+)
+def test_glsl_that_cannot_be_called_is_told_with_its_file(gl, text, tmp_path, capsys):
+    status, said = checked(tmp_path, capsys, text, ".glsl")
+    assert status == 2 and "student.glsl: diffuse(vec3, vec3, vec3, vec3) cannot be" in said.err
+    assert "tail" not in said.err
+
+
+def test_glsl_without_a_driver_leads_to_python(tmp_path, capsys, monkeypatch):
+    from playground.render.gl import context
+
+    def none():
+        raise context.NoDriverError("no GL driver was found")
+
+    monkeypatch.setattr(context, "headless", none)
+    status, said = checked(tmp_path, capsys, RIGHT_GLSL, ".glsl")
+    assert status == 2 and "Write the functions in Python" in said.err
+
+
+def test_a_folder_for_the_picture_is_made(tmp_path, capsys):
+    file = tmp_path / "student.py"
+    file.write_text(RIGHT)
+    out = tmp_path / "new" / "folder"
+    assert main(["lesson", "7", "--check", str(file), "-o", str(out)]) == 0
+    assert (out / "student-check.png").is_file()
+
+
+@pytest.mark.parametrize("which", ["list", "all"])
+def test_a_check_needs_a_lesson(which, capsys):
+    assert main(["lesson", which, "--check", "mine.py"]) == 2
+    assert "playground lesson 7 --check mine.py" in capsys.readouterr().err
 
 
 def test_what_is_no_assignment_is_refused(tmp_path, capsys):

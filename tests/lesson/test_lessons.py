@@ -97,11 +97,12 @@ def test_the_list_and_the_slides(capsys):
     assert re.search(r"^  8  Phong .* 7\.3 How fast it falls off", rows[7])
 
 
-def test_a_lesson_without_gl_has_the_same_numbers(monkeypatch):
+@pytest.mark.parametrize("number", [1, 9, 11])
+def test_a_lesson_without_gl_has_the_same_numbers(number, monkeypatch):
     from playground.render.gl import context
 
     def none():
         raise context.NoDriverError("no GL driver was found")
 
     monkeypatch.setattr(context, "headless", none)
-    run_whole(FILES[0])
+    run_whole(FILES[number - 1])

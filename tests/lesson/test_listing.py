@@ -22,6 +22,18 @@ def test_without_bounds_it_is_the_file_below_its_head_of_comments():
     assert text.startswith("#include") and whole.startswith("//") and whole.endswith(text + "\n")
 
 
+def test_the_lines_of_a_plain_surface():
+    text = listing("colour.frag", first="void main", last="}", plain=True)
+    assert text.splitlines() == [
+        "void main() {",
+        "    vec3 shown = front_rest;",
+        "    colour = present(shown);",
+        "}",
+    ]
+    guarded = listing("lib/phong.glsl", plain=True)
+    assert "#" not in guarded.replace("#include", "") and "float diffuse_factor(" in guarded
+
+
 @pytest.mark.parametrize(
     ("file", "bounds", "words"),
     [

@@ -67,6 +67,7 @@ def test_the_lecturer_has_notes_and_answers(own, tmp_path):
     assert main(["lesson", str(own()), "-o", str(tmp_path), "--notes"]) == 0
     page = (tmp_path / "mine-notes.html").read_text(encoding="utf-8")
     assert "Say it 0.5 times." in page and "2.5 minutes" in page and "slide 4" in page
+    assert ">1 minute · slide 2" in page and "slides 2, 4, 5 · 3.5 minutes" in page
     assert page.count("____ hands") == 2 and "the answer</summary>" not in page
 
 
@@ -87,6 +88,7 @@ def line_of(file, words):
 MISTAKES = {  # what is spoilt, the line that is to blame (by its words), what is said
     "syntax error": ("half = ball.with_(", "half = = ball.with_(", "half = =", "syntax error"),
     "exception": ("half = ball", "1 / 0\nhalf = ball", "1 / 0", "ZeroDivisionError"),
+    "exit": ("half = ball", "raise SystemExit(3)\nhalf = ball", "raise System", "SystemExit: 3"),
     "unknown knob": ("diffuse_weight=0.5", "weight=0.5", "weight=0.5", "unknown quantity"),
     "wrong number": ("expected=0.5", "expected=0.6", "expected=0.6", "share is not as expected"),
     "unknown number": ("{share:.2f}", "{shore:.2f}", "{shore", "Did you mean 'share'?"),

@@ -15,12 +15,14 @@ from playground.gui.lesson_course import (
     go_back,
     go_on,
     hint,
+    open_lesson,
     read_again,
 )
 from playground.gui.lesson_pictures import LessonPictures
 from playground.gui.plots import wrapped
 from playground.gui.state import State
 from playground.gui.theme import PALETTES
+from playground.lesson.page import listed, plural
 from playground.lesson.parts import Figure, Goal, Question, Text, View
 from playground.lesson.prose import Block, Span
 from playground.lesson.script import opening
@@ -65,8 +67,10 @@ def _head(state: State, course: Course) -> State:
             state = do(state)
         imgui.set_item_tooltip(tip)
         imgui.same_line()
-    words = [f"{course.step + 1} of {steps}"]
-    words += [f"slide {', '.join(map(str, step.slides))}"] if step.slides else []
+    number = course.lesson.number
+    words = [f"lesson {number}"] if number is not None else []
+    words += [f"{course.step + 1} of {steps}"]
+    words += [f"{plural('slide', len(step.slides))} {listed(step.slides)}"] if step.slides else []
     words += [f"{step.minutes:g} min"] if step.minutes else []
     imgui.align_text_to_frame_padding()
     imgui.text_disabled(" · ".join(words))
@@ -106,7 +110,8 @@ def _page(state: State, course: Course, pictures: LessonPictures) -> State:
         if isinstance(item, Text):
             lesson_text.draw(item.blocks, pictures)
         elif isinstance(item, View):
-            lesson_text.draw(item.caption, pictures, faint=True)
+            if item is course.view():  # not below a picture that has gone
+                lesson_text.draw(item.caption, pictures, faint=True)
         elif isinstance(item, Figure):
             _figure(item, pictures)
         elif isinstance(item, Question):
@@ -129,6 +134,11 @@ def _foot(state: State, course: Course) -> State:
         imgui.spacing()
         if imgui.button("Go on  (Page Down)###go on", imgui.ImVec2(-1, 0)):
             state = go_on(state)
+    if course.open_question is None and course.last and course.after is not None:
+        imgui.spacing()
+        if imgui.button("The next lesson###next lesson", imgui.ImVec2(-1, 0)):
+            state = open_lesson(state, course.after)
+        imgui.set_item_tooltip(course.after.stem)
     return state
 
 
@@ -140,6 +150,9 @@ def _figure(figure: Figure, pictures: LessonPictures) -> None:
     size = imgui.ImVec2(wide, wide * texture.height / texture.width)
     imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + 0.5 * (room - wide))
     imgui.image(imgui.ImTextureRef(texture.glo), size)
+    if texture.width > 1.3 * wide and imgui.begin_item_tooltip():  # as large as it is
+        imgui.image(imgui.ImTextureRef(texture.glo), imgui.ImVec2(texture.width, texture.height))
+        imgui.end_tooltip()
     lesson_text.draw(figure.caption, pictures, faint=True)
 
 
@@ -193,9 +206,11 @@ def _goal(state: State, course: Course, number: int, item: Goal, pictures: Lesso
     if done:
         imgui.pop_style_color()
     hinted = (course.step, number) in course.hinted
-    if item.hint and not hinted:
+    if item.hint:
+        imgui.begin_disabled(hinted)  # it stays, or a second click would meet the next button
         if imgui.button("Hint"):
             state = hint(state, number)
+        imgui.end_disabled()
         imgui.same_line()
     if imgui.button("Show me"):
         state = state.with_setup(item.solution)
