@@ -136,3 +136,14 @@ def test_boxes_of_texels_hold_those_of_the_tree():
         assert np.all(low + (box[:3] >> 16) * cell >= bvh.high[node])
         seen += 1
     assert seen == len(leaf)
+
+
+def test_what_was_drawn_before_changes_nothing(gl_context):
+    """Culling is left on by the rasteriser; the batch is drawn all the same."""
+    bvh = bvh_of(make("box", None))
+    rays = *shot(np.random.default_rng(2), 0.0, 1.0), np.inf
+    plain = answers(gl_context, bvh, *rays)
+    gl_context.enable_only(gl_context.CULL_FACE | gl_context.DEPTH_TEST)
+    after = answers(gl_context, bvh, *rays)
+    assert np.array_equal(plain[1], after[1]) and plain[1].any()
+    assert all(np.array_equal(a, b) for a, b in zip(plain[0], after[0], strict=True))

@@ -93,7 +93,6 @@ class GpuPairs:
         for unit, texture in enumerate(self._textures().values()):
             texture.use(unit)
         self._context.enable_only(self._context.NOTHING)  # whatever was drawn before
-        self._context.enable_only(self._context.NOTHING)
         self._target.use()
         for row in range(0, len(rows), HEIGHT):
             for column in range(0, len(columns), WIDTH):

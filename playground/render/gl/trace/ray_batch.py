@@ -81,6 +81,7 @@ class RayBatch:
         for unit, texture in enumerate(self._textures):
             texture.use(unit)
         self._target.use()
+        self._context.enable_only(self._context.NOTHING)  # whatever was drawn before
         self._array.render(vertices=3)
         self._context.finish()
 
