@@ -28,7 +28,7 @@ def command_line(setup: Setup, source: str, base: Setup, method: str = RASTER) -
     source : str
         What ``base`` is called on a command line: a name of the library or a file.
     base : Setup
-    method : {"raster", "ray-tracing"}
+    method : {"raster", "ray-tracing", "radiosity", "lightmap"}
 
     Raises
     ------
