@@ -91,9 +91,16 @@ def paired(hands):
         hands.frames(1)
     view = replace(hands.state.factors, one=1, other=len(hands.state.factors.of) - 2)
     hands.window.state = replace(hands.state, factors=view)
+    at_rest(hands)
+
+
+def at_rest(hands):
+    """Wait until all is told of the chosen patches: what arrives moves the controls below it."""
+    until = monotonic() + 60
     hands.frames(2)
     while hands.window.slots.factors.now.working and monotonic() < until:
         hands.frames(1)
+    hands.frames(2)
 
 
 def after_race(hands):
@@ -494,7 +501,7 @@ def test_every_control_is_in_the_tables_and_does_what_they_say(hands, situation)
         hands.do(lambda c, where=f"{panel}/{label}", value=value: deed(c, where, value))
         assert check(before, hands.state), label
         hands.window.state = before
-        hands.frames(2)
+        at_rest(hands)
     hands.do(lambda c: c.mouse_move_to_pos((2.0, 2.0)))
 
 
