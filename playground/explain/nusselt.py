@@ -9,9 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from playground.render.radiosity.hemisphere import nusselt
-from playground.render.radiosity.pairs import point_at
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.factor.hemisphere import nusselt
+from playground.render.radiosity.factor.pairs import point_at
+from playground.render.radiosity.patch.patches import Patches
 from playground.shading.area_light import form_factor
 from playground.shading.flat_polygon import clip_front
 from playground.shading.floats import Array

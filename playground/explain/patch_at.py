@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from playground.errors import PlaygroundError
 from playground.explain.pixel import check_pixel
 from playground.render.checks import check_setup, check_size
-from playground.render.radiosity.divide import divide
-from playground.render.radiosity.patches import Patches
-from playground.render.radiosity.visibility import halves
+from playground.render.radiosity.factor.visibility import halves
+from playground.render.radiosity.patch.divide import divide
+from playground.render.radiosity.patch.patches import Patches
 from playground.render.surface import surfaces
 from playground.render.view import view_of
 from playground.scene.setup import Setup

@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 
 from playground.errors import PlaygroundError
-from playground.render.radiosity.form_factors import METHODS
-from playground.render.radiosity.pairs import point_at, segments, stretch
-from playground.render.radiosity.patches import Patches
-from playground.render.radiosity.visibility import between, facing
+from playground.render.radiosity.factor.form_factors import METHODS
+from playground.render.radiosity.factor.pairs import point_at, segments, stretch
+from playground.render.radiosity.factor.visibility import between, facing
+from playground.render.radiosity.patch.patches import Patches
 from playground.scene.settings import Settings
 from playground.shading.floats import Array
 from playground.shading.form_factor import point_to_point

@@ -7,7 +7,7 @@ from time import perf_counter
 import numpy as np
 
 from playground.gui.solving import Solving
-from playground.render.radiosity.matrix import BATCH
+from playground.render.radiosity.factor.matrix import BATCH
 from playground.render.radiosity.result import Radiosity
 from playground.shading.floats import Array
 

@@ -18,7 +18,7 @@ from playground.gui.gizmo_math import Pixel, seen
 from playground.gui.layers import stages
 from playground.gui.state import State
 from playground.gui.vector_pen import Rect, apart
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.patch.patches import Patches
 from playground.render.view import View
 from playground.shading.floats import Array
 

@@ -16,9 +16,9 @@ from playground.gui.latest import Latest
 from playground.gui.radiosity_run import RadiosityRun
 from playground.gui.state import State
 from playground.render.checks import check_setup
-from playground.render.radiosity.divide import divide
-from playground.render.radiosity.hemicube import Hemicubes
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.factor.hemicube import Hemicubes
+from playground.render.radiosity.patch.divide import divide
+from playground.render.radiosity.patch.patches import Patches
 from playground.scene.settings import Settings
 from playground.scene.setup import Setup
 from playground.shading.display import display_colour

@@ -6,7 +6,7 @@ from imgui_bundle import imgui
 
 from playground.explain.patch_pair import MethodTold, PatchPair
 from playground.explain.patch_words import percent
-from playground.render.radiosity.form_factors import METHODS
+from playground.render.radiosity.factor.form_factors import METHODS
 
 TITLES = ("method", "Fij", "error", "ms a row")
 FLAGS = imgui.TableFlags_.row_bg.value | imgui.TableFlags_.sizing_fixed_fit.value

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.explain.patch_pair import PatchPair
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.patch.patches import Patches
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.patch.patches import Patches
 from playground.scene.knob import Declared, choice, integer, number, switch
 
 COLOURINGS = ("patch", "light", "delta")

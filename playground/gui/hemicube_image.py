@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.explain.colour_map import colour_of
-from playground.render.radiosity.hemicube_view import delta_form_factors, unfolded
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.factor.hemicube_view import delta_form_factors, unfolded
+from playground.render.radiosity.patch.patches import Patches
 from playground.shading.floats import Array
 
 Ints = NDArray[np.int64]

@@ -13,7 +13,7 @@ from playground.gui.canvas import ink
 from playground.gui.factor_told import FactorTold, HemicubeTold
 from playground.gui.factor_view import FactorView
 from playground.gui.widgets import Ui, edit
-from playground.render.radiosity.hemicube_view import delta_form_factors
+from playground.render.radiosity.factor.hemicube_view import delta_form_factors
 
 LARGEST = 26.0  # of the image, in heights of the text
 

@@ -12,7 +12,7 @@ from playground.gui.canvas import ink
 from playground.gui.factor_view import OTHER, FactorView
 from playground.gui.vector_pen import Places
 from playground.gui.widgets import Ui, edit
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.patch.patches import Patches
 
 TILT = 0.42  # the height of the base disc as it is seen aslant, in its radii
 RISE = 0.90  # the height of the hemisphere there

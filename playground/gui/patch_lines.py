@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from playground.gui.radiosity_run import RadiosityRun
 from playground.gui.solving import Solving
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.patch.patches import Patches
 
 Array = NDArray[np.float64]
 

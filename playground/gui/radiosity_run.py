@@ -18,14 +18,14 @@ from playground.gui.long_work import LongWork, Piece, Pieces
 from playground.gui.solving import Solving
 from playground.render.radiosity.depends import Depends, depends
 from playground.render.radiosity.result import Radiosity
-from playground.render.radiosity.system import Step
+from playground.render.radiosity.solver.system import Step
 from playground.render.stored import StoredLight
 from playground.scene.scene import Scene
 from playground.scene.settings import Settings, Shading
 from playground.scene.setup import Setup
 
 if TYPE_CHECKING:
-    from playground.render.radiosity.patches import Patches
+    from playground.render.radiosity.patch.patches import Patches
 
 LEAST, MOST = 0.010, 0.040  # seconds of a frame; between them, as long as the rest of it takes
 REST = 3.0  # times what showing new light takes, before it is shown again

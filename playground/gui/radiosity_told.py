@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from playground.render.radiosity.matrix_report import MatrixReport
+from playground.render.radiosity.factor.matrix_report import MatrixReport
 from playground.render.radiosity.result import Radiosity
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.render.radiosity.patches import Parents, Patches
+from playground.render.radiosity.patch.patches import Parents, Patches
 from playground.shading.floats import Array
 from playground.shading.vector import cross, unit
 

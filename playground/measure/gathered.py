@@ -18,8 +18,8 @@ from playground.measure.record import Errors
 from playground.render.lightmap.gather import Points, emitters, from_emitters, gathered
 from playground.render.lightmap.surroundings import Surroundings
 from playground.render.radiosity.direct import arriving_at
+from playground.render.radiosity.factor.visibility import between
 from playground.render.radiosity.result import radiosity
-from playground.render.radiosity.visibility import between
 from playground.render.trace.hits import closest
 from playground.render.trace.meetings import meetings
 from playground.render.trace.traced_scene import prepare

@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.measure.record import Errors
-from playground.render.radiosity.closed_form import ClosedForm
-from playground.render.radiosity.pairs import exact
-from playground.render.radiosity.patches import Patches
-from playground.render.radiosity.visibility import facing
+from playground.render.radiosity.factor.closed_form import ClosedForm
+from playground.render.radiosity.factor.pairs import exact
+from playground.render.radiosity.factor.visibility import facing
+from playground.render.radiosity.patch.patches import Patches
 from playground.shading.floats import Array
 
 Ints = NDArray[np.intp]

@@ -7,7 +7,7 @@ from importlib.util import find_spec
 
 import numpy as np
 
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.patch.patches import Patches
 from playground.shading.floats import Array
 
 NAME = "pyviewfactor"
@@ -16,7 +16,7 @@ INSTALLED = find_spec(NAME) is not None
 
 def viewfactor_rows(patches: Patches) -> Array:
     """All rows F_ij of the patches, (N, N), with occlusion by whatever can hide anything."""
-    from playground.render.radiosity.visibility import can_hide
+    from playground.render.radiosity.factor.visibility import can_hide
 
     pyvista = import_module("pyvista")
 

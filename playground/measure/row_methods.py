@@ -10,10 +10,10 @@ from typing import Any
 from playground.measure.matrix_errors import Ints
 from playground.measure.pictures import ROUND_MS, timed
 from playground.measure.record import Batch, Timer
-from playground.render.radiosity.closed_form import ClosedForm
-from playground.render.radiosity.form_factors import METHODS
-from playground.render.radiosity.hemicube import Hemicubes
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.factor.closed_form import ClosedForm
+from playground.render.radiosity.factor.form_factors import METHODS
+from playground.render.radiosity.factor.hemicube import Hemicubes
+from playground.render.radiosity.patch.patches import Patches
 from playground.shading.floats import Array
 
 MakeRows = Callable[[Ints], Array]

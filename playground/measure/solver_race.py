@@ -16,14 +16,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.errors import PlaygroundError
-from playground.render.radiosity.closure import is_closed
 from playground.render.radiosity.direct import direct_light
-from playground.render.radiosity.divide import divide
-from playground.render.radiosity.form_factors import open_rows
-from playground.render.radiosity.matrix import BATCH, FormFactors, Rows
-from playground.render.radiosity.patches import Patches
-from playground.render.radiosity.solve import SOLVERS, Step, System
-from playground.render.radiosity.whole import elimination
+from playground.render.radiosity.factor.closure import is_closed
+from playground.render.radiosity.factor.form_factors import open_rows
+from playground.render.radiosity.factor.matrix import BATCH, FormFactors, Rows
+from playground.render.radiosity.patch.divide import divide
+from playground.render.radiosity.patch.patches import Patches
+from playground.render.radiosity.solver.solve import SOLVERS, Step, System
+from playground.render.radiosity.solver.whole import elimination
 from playground.scene.settings import SOLVERS as NAMES
 from playground.scene.setup import Setup
 from playground.shading.floats import Array

@@ -1,5 +1,5 @@
 // What pairs of patches exchange, a pixel each: A_i F_ij = A_j F_ji.
-// Does what playground/render/radiosity/pairs.py does for far pairs, which says why; the
+// Does what playground/render/radiosity/factor/pairs.py does for far pairs, which says why; the
 // factors of near pairs come from there, their visible share from here.
 #include "interface/pairs.glsl"
 #include "lib/area_light.glsl"

@@ -1,5 +1,5 @@
 // Which patch lies at a place on the piece that is seen, found from how the piece is divided;
-// the same numbers as Parents.patch_at in playground/render/radiosity/patches.py.
+// the same numbers as Parents.patch_at in playground/render/radiosity/patch/patches.py.
 #ifdef GENERAL_QUADS
 #include "lib/hemicube.glsl"
 #endif

@@ -11,9 +11,9 @@ from playground.errors import PlaygroundError
 from playground.explain.patch_pair import explain_pair
 from playground.gui.factor_view import OTHER, UNDER, FactorView
 from playground.gui.latest import Latest
-from playground.render.radiosity.divide import divide
-from playground.render.radiosity.form_factors import METHODS
-from playground.render.radiosity.hemicube import Hemicubes
+from playground.render.radiosity.factor.form_factors import METHODS
+from playground.render.radiosity.factor.hemicube import Hemicubes
+from playground.render.radiosity.patch.divide import divide
 from playground.scene.library import load
 
 imgui = pytest.importorskip("imgui_bundle").imgui

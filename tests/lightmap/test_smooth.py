@@ -9,7 +9,7 @@ from playground.render.lightmap.gather import PATTERNS, Points
 from playground.render.lightmap.smooth import count_split, smoothed
 from playground.render.lightmap.surroundings import Surroundings
 from playground.render.lightmap.texels import lay_out
-from playground.render.radiosity.divide import divide
+from playground.render.radiosity.patch.divide import divide
 from playground.scene.scene import Object
 
 ANY = 1  # rays whose noise lets every step pass for noise

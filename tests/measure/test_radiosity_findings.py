@@ -23,8 +23,8 @@ from playground.measure.matrix_errors import (
 )
 from playground.measure.row_methods import row_maker
 from playground.measure.textured_floor import TexturedFloor
-from playground.render.radiosity.closed_form import closed_form
-from playground.render.radiosity.inspect import inspect
+from playground.render.radiosity.factor.closed_form import closed_form
+from playground.render.radiosity.patch.inspect import inspect
 from playground.scene.camera import Camera
 
 
@@ -194,7 +194,7 @@ def test_row_errors_are_shares_of_the_form_factors():
 def test_the_converged_rows_are_nearer_to_themselves_than_any_method_to_them(gl):
     """Half as many rays along each side change them by a tenth of the error that is measured."""
     from playground.render.gl.radiosity.pairs import GpuPairs
-    from playground.render.radiosity.closed_form import ClosedForm
+    from playground.render.radiosity.factor.closed_form import ClosedForm
 
     box = blocks_box(594)
     chosen = some_rows(box, 6)

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from playground.render.radiosity.matrix import FormFactors
-from playground.render.radiosity.solve import System
+from playground.render.radiosity.factor.matrix import FormFactors
+from playground.render.radiosity.solver.solve import System
 
 
 def random_closed(rng, size, spread=0.5):

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from playground.render.radiosity.patches import Parents, Patches
+from playground.render.radiosity.patch.patches import Parents, Patches
 
 
 def patches_of(corners, grid):

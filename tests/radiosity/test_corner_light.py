@@ -7,8 +7,8 @@ import pytest
 
 import playground as pg
 from playground.files import mesh_file
-from playground.render.radiosity.corner_light import corner_light
-from playground.render.radiosity.divide import divide
+from playground.render.radiosity.patch.corner_light import corner_light
+from playground.render.radiosity.patch.divide import divide
 
 SLOPES = np.array([[0.7, -0.2, 0.1], [0.3, 0.5, -0.4], [-0.1, 0.2, 0.6]])
 

@@ -6,7 +6,7 @@ from plates import BELOW, patches_of, rectangle, room
 
 import playground as pg
 from playground.render.radiosity.direct import arriving_at, direct_light
-from playground.render.radiosity.divide import divide
+from playground.render.radiosity.patch.divide import divide
 
 UP = (0.0, 0.0, 1.0)
 SCREEN = rectangle((-2, -2, 0.25), (5, 0, 0), (0, 5, 0))  # over all of BELOW

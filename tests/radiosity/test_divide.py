@@ -5,8 +5,8 @@ import pytest
 
 import playground as pg
 from playground.errors import PlaygroundError
-from playground.render.radiosity import memory
-from playground.render.radiosity.divide import divide
+from playground.render.radiosity.patch import memory
+from playground.render.radiosity.patch.divide import divide
 from playground.scene.mesh import Mesh
 
 LAMP = pg.PointLight()

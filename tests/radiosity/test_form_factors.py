@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from plates import BELOW, adjacent_plates, cube, facing_plates, patches_of, rectangle, room
 
-from playground.render.radiosity.closed_form import ClosedForm, closed_form
-from playground.render.radiosity.form_factors import METHODS, open_rows
-from playground.render.radiosity.hemisphere import hemisphere, nusselt
-from playground.render.radiosity.pairs import exact, near
+from playground.render.radiosity.factor.closed_form import ClosedForm, closed_form
+from playground.render.radiosity.factor.form_factors import METHODS, open_rows
+from playground.render.radiosity.factor.hemisphere import hemisphere, nusselt
+from playground.render.radiosity.factor.pairs import exact, near
 from playground.scene.settings import FORM_FACTORS, Settings
 from playground.shading.area_light import form_factor
 

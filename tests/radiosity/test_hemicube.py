@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 import playground as pg
-from playground.render.radiosity.divide import divide
-from playground.render.radiosity.hemicube import Hemicubes, hemicube
-from playground.render.radiosity.hemicube_view import (
+from playground.render.radiosity.factor.hemicube import Hemicubes, hemicube
+from playground.render.radiosity.factor.hemicube_view import (
     NEAR,
     delta_form_factors,
     drawn_pieces,
     faces_of,
 )
+from playground.render.radiosity.patch.divide import divide
 from playground.shading.area_light import form_factor
 from tests.radiosity.plates import adjacent_plates, cube, patches_of, rectangle, room
 

@@ -6,7 +6,7 @@ import pytest
 
 from playground.errors import PlaygroundError
 from playground.render.gl import probe
-from playground.render.radiosity.hemicube_view import delta_form_factors, faces_of, unfolded
+from playground.render.radiosity.factor.hemicube_view import delta_form_factors, faces_of, unfolded
 from playground.shading import hemicube
 from playground.shading.area_light import form_factor
 from tests.parity.test_parity import U, assert_close, f32

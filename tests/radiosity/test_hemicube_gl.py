@@ -7,9 +7,9 @@ import playground as pg
 from playground.errors import PlaygroundError
 from playground.render.gl.radiosity import row_buffer
 from playground.render.gl.radiosity.hemicube import Hemicubes
-from playground.render.radiosity import hemicube
-from playground.render.radiosity.divide import divide
-from playground.render.radiosity.hemicube_view import delta_form_factors, faces_of
+from playground.render.radiosity.factor import hemicube
+from playground.render.radiosity.factor.hemicube_view import delta_form_factors, faces_of
+from playground.render.radiosity.patch.divide import divide
 from tests.radiosity.plates import adjacent_plates, cube, patches_of, rectangle, room
 from tests.radiosity.test_hemicube import moved
 

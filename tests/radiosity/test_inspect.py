@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import playground as pg
-from playground.render.radiosity.divide import divide
-from playground.render.radiosity.inspect import inspect
+from playground.render.radiosity.patch.divide import divide
+from playground.render.radiosity.patch.inspect import inspect
 from playground.scene.mesh import Mesh
 
 LAMP = pg.PointLight()

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from enclosures import grey, system_of
 
-from playground.render.radiosity.ledger import Ledger
-from playground.render.radiosity.solve import SOLVERS
+from playground.render.radiosity.solver.ledger import Ledger
+from playground.render.radiosity.solver.solve import SOLVERS
 
 
 def books(*parts):

@@ -6,10 +6,10 @@ from enclosures import disc_box, eliminated, grey, random_closed, some_light, sy
 from plates import WALLS, block, cube, facing_plates, patches_of, rectangle, room
 
 from playground.errors import PlaygroundError
-from playground.render.radiosity.closure import is_closed
-from playground.render.radiosity.exchange import Exchange
-from playground.render.radiosity.matrix import Areas, FormFactors
-from playground.render.radiosity.solve import SOLVERS, System, solution
+from playground.render.radiosity.factor.closure import is_closed
+from playground.render.radiosity.factor.matrix import Areas, FormFactors
+from playground.render.radiosity.solver.exchange import Exchange
+from playground.render.radiosity.solver.solve import SOLVERS, System, solution
 
 U = 2.0**-53
 
@@ -230,7 +230,7 @@ def test_it_is_asked_only_when_it_matters(monkeypatch):
     def never(patches):
         raise AssertionError
 
-    monkeypatch.setattr("playground.render.radiosity.matrix.is_closed", never)
+    monkeypatch.setattr("playground.render.radiosity.factor.matrix.is_closed", never)
     patches = cube(1)
     matrix = np.full((6, 6), 0.2) - 0.2 * np.eye(6)
     FormFactors(Counted(matrix), patches, normalise=False).rows([1, 2])

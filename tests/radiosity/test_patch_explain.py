@@ -14,8 +14,8 @@ from playground.explain.patch_at import patch_at, patch_of_pixel
 from playground.explain.patch_light import MOST, explain_patch
 from playground.explain.patch_pair import RAYS, explain_pair, pair_steps
 from playground.explain.patch_words import percent
-from playground.render.radiosity.divide import divide
-from playground.render.radiosity.form_factors import METHODS
+from playground.render.radiosity.factor.form_factors import METHODS
+from playground.render.radiosity.patch.divide import divide
 from playground.scene.settings import Settings
 from playground.shading.form_factor import adjacent_rectangles, opposite_rectangles
 

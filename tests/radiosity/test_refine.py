@@ -5,11 +5,11 @@ import pytest
 
 import playground as pg
 from playground.errors import PlaygroundError
-from playground.render.radiosity import memory
-from playground.render.radiosity.corner_light import corner_light
-from playground.render.radiosity.divide import divide
-from playground.render.radiosity.inspect import inspect
-from playground.render.radiosity.refine import refine
+from playground.render.radiosity.patch import memory
+from playground.render.radiosity.patch.corner_light import corner_light
+from playground.render.radiosity.patch.divide import divide
+from playground.render.radiosity.patch.inspect import inspect
+from playground.render.radiosity.patch.refine import refine
 
 
 def patches_of(*objects, patches=100):

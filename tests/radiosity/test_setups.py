@@ -7,8 +7,8 @@ import pytest
 
 import playground as pg
 from playground import locate
-from playground.render.radiosity.divide import divide
-from playground.render.radiosity.inspect import inspect
+from playground.render.radiosity.patch.divide import divide
+from playground.render.radiosity.patch.inspect import inspect
 
 NAMES = ("cornell-box", "furnace", "facing-plates", "two-rooms", "indirect-room")
 

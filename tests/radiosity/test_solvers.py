@@ -8,8 +8,8 @@ import pytest
 from enclosures import disc_box, eliminated, grey, random_closed, some_light, system_of
 
 from playground.errors import PlaygroundError
-from playground.render.radiosity.matrix import FormFactors
-from playground.render.radiosity.solve import SOLVERS, System, solution
+from playground.render.radiosity.factor.matrix import FormFactors
+from playground.render.radiosity.solver.solve import SOLVERS, System, solution
 from playground.scene import settings
 
 SHOOTING = ("progressive", "southwell", "overshooting")
@@ -166,7 +166,7 @@ def test_each_sweep_is_a_bounce(rng):
 @pytest.mark.parametrize("block", [1, 7, 64])
 def test_gauss_seidel_is_the_textbook_one(rng, monkeypatch, block):
     """Updates in blocks give what updates one by one give, with F_ii != 0 too."""
-    monkeypatch.setattr("playground.render.radiosity.gathering.TOGETHER", block)
+    monkeypatch.setattr("playground.render.radiosity.solver.gathering.TOGETHER", block)
     factors, area = random_closed(rng, 20)
     factors = 0.8 * factors + 0.2 * np.eye(20)
     reflectance, emission, direct = some_light(rng, 20)

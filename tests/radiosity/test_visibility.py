@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from plates import BELOW, adjacent_plates, cube, patches_of, rectangle, room
 
-from playground.render.radiosity.closed_form import closed_form
-from playground.render.radiosity.form_factors import point_to_point
-from playground.render.radiosity.pairs import visible
-from playground.render.radiosity.visibility import between, can_hide, facing, lift_of
+from playground.render.radiosity.factor.closed_form import closed_form
+from playground.render.radiosity.factor.form_factors import point_to_point
+from playground.render.radiosity.factor.pairs import visible
+from playground.render.radiosity.factor.visibility import between, can_hide, facing, lift_of
 
 ABOVE = rectangle((0, 0, 1), (0, 1, 0), (1, 0, 0))  # faces −z
 FIRST, SECOND = np.array([0]), np.array([1])

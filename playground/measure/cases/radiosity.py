@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from playground.measure.cases.form_factor import box
-from playground.render.radiosity.whole import elimination
+from playground.render.radiosity.solver.whole import elimination
 from playground.shading.floats import Array
 
 Outputs = dict[str, Any]

@@ -12,7 +12,7 @@ from playground.measure.matrix_errors import SUM_OFF, exact_rows, row_errors, so
 from playground.measure.record import Candidate, Errors, Experiment, Timer
 from playground.measure.row_methods import row_maker, timer_of
 from playground.measure.rows import Row, slope
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.patch.patches import Patches
 from playground.shading.floats import Array
 
 PARTS, QUICK_PARTS = 9, 5  # of an edge of a wall: 486 and 150 patches

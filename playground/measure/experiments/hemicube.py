@@ -12,8 +12,8 @@ from playground.measure.matrix_errors import SUM_OFF, row_errors, some_rows
 from playground.measure.record import Candidate, Errors, Experiment, Timer
 from playground.measure.row_methods import row_maker, timer_of
 from playground.measure.rows import Row, ratio, slope
-from playground.render.radiosity.form_factors import point_to_polygon
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.factor.form_factors import point_to_polygon
+from playground.render.radiosity.patch.patches import Patches
 from playground.shading.floats import Array
 
 PARTS, QUICK_PARTS = 9, 5  # of an edge of a wall: 486 and 150 patches

@@ -17,9 +17,9 @@ from playground.measure.peer_viewfactor import INSTALLED, NAME, viewfactor_rows
 from playground.measure.record import Batch, Candidate, Errors, Experiment, Timer
 from playground.measure.row_methods import row_maker
 from playground.measure.rows import Row, cases
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.patch.patches import Patches
 from playground.render.radiosity.result import radiosity
-from playground.render.radiosity.system import Step
+from playground.render.radiosity.solver.system import Step
 from playground.scene.library import load
 from playground.scene.setup import Setup
 from playground.shading.floats import Array

@@ -17,9 +17,9 @@ from playground.measure.pictures import rounds_of
 from playground.measure.record import Candidate, Errors, Experiment, Timer
 from playground.measure.row_methods import row_maker
 from playground.measure.rows import Row, cases
-from playground.render.radiosity.matrix import FormFactors
-from playground.render.radiosity.patches import Patches
-from playground.render.radiosity.solve import System, solution
+from playground.render.radiosity.factor.matrix import FormFactors
+from playground.render.radiosity.patch.patches import Patches
+from playground.render.radiosity.solver.solve import System, solution
 from playground.shading.floats import Array
 
 BLOCKS, QUICK_PARTS = 594, 4  # the box with blocks; an empty one of 96 patches where time is short

@@ -13,11 +13,11 @@ from playground.measure.experiments.sentences import listed, of, percent, senten
 from playground.measure.pictures import rounds_of
 from playground.measure.record import Candidate, Errors, Experiment, Timer
 from playground.measure.rows import Row, cases
-from playground.render.radiosity.divide import divide
-from playground.render.radiosity.form_factors import open_rows
-from playground.render.radiosity.matrix import FormFactors
-from playground.render.radiosity.patches import Patches
-from playground.render.radiosity.solve import SOLVERS, Step, System, solution
+from playground.render.radiosity.factor.form_factors import open_rows
+from playground.render.radiosity.factor.matrix import FormFactors
+from playground.render.radiosity.patch.divide import divide
+from playground.render.radiosity.patch.patches import Patches
+from playground.render.radiosity.solver.solve import SOLVERS, Step, System, solution
 from playground.scene.library import load
 from playground.shading.floats import Array
 

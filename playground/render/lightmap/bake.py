@@ -16,7 +16,7 @@ from playground.render.lightmap.lighting import Lighting
 from playground.render.lightmap.lightmap import Lightmap, geometry_checksum, lighting_checksum
 from playground.render.lightmap.seams import find_seams, sewn
 from playground.render.lightmap.texels import lay_out
-from playground.render.radiosity.memory import available
+from playground.render.radiosity.patch.memory import available
 from playground.shading.floats import Array
 from playground.shading.lightmap import dilated
 

@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.render.lightmap.surroundings import Surroundings, frames, hemisphere
-from playground.render.radiosity.patches import Patches
-from playground.render.radiosity.visibility import Between
+from playground.render.radiosity.factor.visibility import Between
+from playground.render.radiosity.patch.patches import Patches
 from playground.render.trace.lamp import facing_of, points_on, square_points
 from playground.shading.area_light import form_factor
 from playground.shading.floats import Array

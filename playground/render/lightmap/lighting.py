@@ -20,7 +20,7 @@ from playground.render.lightmap.solved import Solved
 from playground.render.lightmap.surroundings import Surroundings
 from playground.render.lightmap.texels import Texels
 from playground.render.radiosity.direct import arriving_at
-from playground.render.radiosity.visibility import between
+from playground.render.radiosity.factor.visibility import between
 from playground.shading.floats import Array
 
 if TYPE_CHECKING:

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.render.lightmap.gather import Points
-from playground.render.radiosity.corner_light import corner_light
-from playground.render.radiosity.patches import Patches
-from playground.render.radiosity.visibility import halves, size_of, tree_of
+from playground.render.radiosity.factor.visibility import halves, size_of, tree_of
+from playground.render.radiosity.patch.corner_light import corner_light
+from playground.render.radiosity.patch.patches import Patches
 from playground.render.trace import walk
 from playground.shading.floats import Array
 

@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.render.radiosity.patches import Patches
-from playground.render.radiosity.visibility import halves, lift_of, tree_of
+from playground.render.radiosity.factor.visibility import halves, lift_of, tree_of
+from playground.render.radiosity.patch.patches import Patches
 from playground.render.trace import walk
 from playground.render.trace.bvh import Bvh
 from playground.render.trace.lamp import square_points

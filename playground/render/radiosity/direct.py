@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from playground.render.radiosity.pairs import point_at, stretch
-from playground.render.radiosity.patches import Patches
-from playground.render.radiosity.visibility import between, size_of
+from playground.render.radiosity.factor.pairs import point_at, stretch
+from playground.render.radiosity.factor.visibility import between, size_of
+from playground.render.radiosity.patch.patches import Patches
 from playground.render.shade import from_lamp
 from playground.render.surface import SurfaceLight, surface_light
 from playground.render.trace.walk import blocked

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.render.radiosity.corner_light import corner_light
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.patch.corner_light import corner_light
+from playground.render.radiosity.patch.patches import Patches
 from playground.render.stored import StoredLight
 from playground.scene.mesh import Mesh
 from playground.shading.floats import Array

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from playground.render.radiosity.ledger import Ledger
-from playground.render.radiosity.matrix_report import MatrixReport
-from playground.render.radiosity.system import Step
+from playground.render.radiosity.factor.matrix_report import MatrixReport
+from playground.render.radiosity.solver.ledger import Ledger
+from playground.render.radiosity.solver.system import Step
 
 if TYPE_CHECKING:
     from playground.render.radiosity.result import Radiosity
@@ -63,7 +63,7 @@ def brief(step: Step, factors: MatrixReport) -> str:
 
 def report_on(result: Radiosity) -> Report:
     """The report on a solution; without a step so far it is solved first."""
-    from playground.render.radiosity.inspect import inspect
+    from playground.render.radiosity.patch.inspect import inspect
 
     step = result.last
     return Report(

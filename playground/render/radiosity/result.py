@@ -17,16 +17,16 @@ from playground.errors import unknown_name
 from playground.render.checks import check_setup
 from playground.render.radiosity.depends import FACTORS
 from playground.render.radiosity.direct import direct_light
-from playground.render.radiosity.divide import divide
 from playground.render.radiosity.drawn import DrawnPatches, drawn_patches
-from playground.render.radiosity.exchange import Exchange
-from playground.render.radiosity.form_factors import OpenRows, open_rows
-from playground.render.radiosity.matrix import BATCH, FormFactors
+from playground.render.radiosity.factor.form_factors import OpenRows, open_rows
+from playground.render.radiosity.factor.matrix import BATCH, FormFactors
 from playground.render.radiosity.not_modelled import not_modelled
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.patch.divide import divide
+from playground.render.radiosity.patch.patches import Patches
 from playground.render.radiosity.report import Report, brief, report_on
-from playground.render.radiosity.solve import SOLVERS
-from playground.render.radiosity.system import Step, System
+from playground.render.radiosity.solver.exchange import Exchange
+from playground.render.radiosity.solver.solve import SOLVERS
+from playground.render.radiosity.solver.system import Step, System
 from playground.render.stored import StoredLight
 from playground.scene.settings import LIGHT_SHOWN
 from playground.scene.setup import Setup
@@ -257,7 +257,7 @@ class Radiosity:
 
     def _refine(self) -> bool:
         """Divide patches where the light changes; False if that divides none."""
-        from playground.render.radiosity.refine import refine
+        from playground.render.radiosity.patch.refine import refine
 
         finer = refine(self.patches, self.light)
         if finer is self.patches:

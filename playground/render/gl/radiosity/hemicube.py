@@ -1,7 +1,7 @@
 """Form factors by the hemicube on the GPU: many hemicubes in one draw call.
 
-Twin in spirit: `playground.render.radiosity.hemicube`. All five faces of a number of hemicubes
-are instances of one draw; the vertex stage moves each to its place in one tall picture, and clip
+Twin in spirit: `playground.render.radiosity.factor.hemicube`. All five faces of a number of
+hemicubes are instances of one draw; the vertex stage moves each to its place in one tall picture,
 distances keep it there. Then the delta form factors are added up, by NumPy from the picture of
 patch numbers, or by the GPU.
 """
@@ -18,7 +18,7 @@ from playground.render.gl.context import rest
 from playground.render.gl.program import Program
 from playground.render.gl.radiosity.row_buffer import RowBuffer, adds_faster, can_add
 from playground.render.gl.source import assemble
-from playground.render.radiosity.hemicube_view import (
+from playground.render.radiosity.factor.hemicube_view import (
     BACK,
     Stands,
     Triangulation,
@@ -29,7 +29,7 @@ from playground.render.radiosity.hemicube_view import (
     triangulation,
     units,
 )
-from playground.render.radiosity.patches import Parents, Patches
+from playground.render.radiosity.patch.patches import Parents, Patches
 from playground.shading.floats import Array
 
 if TYPE_CHECKING:

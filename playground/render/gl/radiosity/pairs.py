@@ -1,7 +1,7 @@
 """What pairs of patches exchange, on the GPU: a pixel per pair of shaders/radiosity/pairs.frag.
 
 float32, in units in which the scene is about 1 large. What
-`playground.render.radiosity.pairs` says about far pairs, and which share of near ones is
+`playground.render.radiosity.factor.pairs` says about far pairs, and which share of near ones is
 visible; the closed form of near ones needs float64 and is computed there.
 """
 
@@ -16,8 +16,8 @@ from playground.render.gl.context import rest
 from playground.render.gl.program import Program
 from playground.render.gl.source import assemble
 from playground.render.gl.trace.bvh_texels import bvh_texels
-from playground.render.radiosity.patches import Patches
-from playground.render.radiosity.visibility import LIFT, bend_of, between, size_of, tree_of
+from playground.render.radiosity.factor.visibility import LIFT, bend_of, between, size_of, tree_of
+from playground.render.radiosity.patch.patches import Patches
 
 if TYPE_CHECKING:
     import moderngl
@@ -39,7 +39,7 @@ class GpuPairs:
     occlusion : bool
         Whether patches hide one another.
     points, rays : int
-        As in `playground.render.radiosity.pairs`.
+        As in `playground.render.radiosity.factor.pairs`.
     """
 
     def __init__(

@@ -15,8 +15,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from playground.render.radiosity.patience import Patience
-from playground.render.radiosity.system import Ints, Step, System, narrow
+from playground.render.radiosity.solver.patience import Patience
+from playground.render.radiosity.solver.system import Ints, Step, System, narrow
 from playground.shading.floats import Array
 
 SHOTS_PER_STEP = 32

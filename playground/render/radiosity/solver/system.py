@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from playground.errors import PlaygroundError
-from playground.render.radiosity.ledger import Ledger
-from playground.render.radiosity.matrix import FormFactors
+from playground.render.radiosity.factor.matrix import FormFactors
+from playground.render.radiosity.solver.ledger import Ledger
 from playground.shading.floats import Array
 
 Ints = NDArray[np.int64]

@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from playground.render.radiosity.pairs import by_size, exact, exchange, near
-from playground.render.radiosity.patches import Patches
-from playground.render.radiosity.visibility import facing
+from playground.render.radiosity.factor.pairs import by_size, exact, exchange, near
+from playground.render.radiosity.factor.visibility import facing
+from playground.render.radiosity.patch.patches import Patches
 from playground.shading.floats import Array
 
 Ints = NDArray[np.intp]

@@ -15,11 +15,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from playground.render.radiosity.closed_form import ClosedForm, closed_form
-from playground.render.radiosity.hemicube import hemicube
-from playground.render.radiosity.hemisphere import hemisphere
-from playground.render.radiosity.patches import Patches
-from playground.render.radiosity.visibility import between, facing
+from playground.render.radiosity.factor.closed_form import ClosedForm, closed_form
+from playground.render.radiosity.factor.hemicube import hemicube
+from playground.render.radiosity.factor.hemisphere import hemisphere
+from playground.render.radiosity.factor.visibility import between, facing
+from playground.render.radiosity.patch.patches import Patches
 from playground.scene.settings import Settings
 from playground.shading import form_factor as formulas
 from playground.shading.area_light import form_factor

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.render.radiosity.edges import places
+from playground.render.radiosity.patch.edges import places
 from playground.scene.normals import direction
 from playground.shading.floats import Array
 from playground.shading.vector import cross, dot

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.errors import PlaygroundError
-from playground.render.radiosity.outline import label
+from playground.render.radiosity.patch.outline import label
 from playground.render.texels import check_texcoords, load_texture
 from playground.scene.light import AreaLight
 from playground.scene.scene import Object

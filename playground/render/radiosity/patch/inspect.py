@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.render.radiosity.edges import SAME_PLACE, Edges, edges_of, extent_of, places
-from playground.render.radiosity.flaws import Report
-from playground.render.radiosity.overlaps import overlaps
-from playground.render.radiosity.parts import classes
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.patch.edges import SAME_PLACE, Edges, edges_of, extent_of, places
+from playground.render.radiosity.patch.flaws import Report
+from playground.render.radiosity.patch.overlaps import overlaps
+from playground.render.radiosity.patch.parts import classes
+from playground.render.radiosity.patch.patches import Patches
 from playground.render.trace.bvh import build
 from playground.render.trace.walk import closest
 from playground.scene.normals import direction

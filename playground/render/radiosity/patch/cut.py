@@ -8,8 +8,8 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.render.radiosity.outline import Outline
-from playground.render.radiosity.patches import Parents
+from playground.render.radiosity.patch.outline import Outline
+from playground.render.radiosity.patch.patches import Parents
 from playground.scene.normals import direction
 from playground.shading.floats import Array
 

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from playground.render.radiosity.hemicube_view import (
+from playground.render.radiosity.factor.hemicube_view import (
     BACK,
     Stands,
     Triangulation,
@@ -23,7 +23,7 @@ from playground.render.radiosity.hemicube_view import (
     triangulation,
     units,
 )
-from playground.render.radiosity.patches import Parents, Patches
+from playground.render.radiosity.patch.patches import Parents, Patches
 from playground.render.raster import coverage, depth
 from playground.render.raster.clip import NEAR, clip_triangles
 from playground.shading.floats import Array
@@ -111,7 +111,8 @@ class Hemicubes:
     def item_buffer(self, patch: int) -> NDArray[np.int32]:
         """What one patch sees, (3N, N): per pixel the number of a patch plus 1, 0 for none.
 
-        `playground.render.radiosity.hemicube_view` says how the faces lie in it, and unfolds them.
+        `playground.render.radiosity.factor.hemicube_view` says how the faces lie in it, and unfolds
+        them.
         """
         stand = stands(self._patches, [patch], self._rotate)
         return np.asarray(self._scene.items(stand, self._deltas.shape[1])[0])

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from playground.errors import PlaygroundError
-from playground.render.radiosity.patches import Parents, Patches
+from playground.render.radiosity.patch.patches import Parents, Patches
 from playground.shading.floats import Array
 from playground.shading.hemicube import delta_form_factor, exact_delta_form_factor
 from playground.shading.vector import cross, unit

@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.render.radiosity.edges import edges_of
-from playground.render.radiosity.memory import check_memory
-from playground.render.radiosity.patches import Cells, Patches
-from playground.render.radiosity.seams import Mesh, balanced, divide_cells, pieces_of
+from playground.render.radiosity.patch.edges import edges_of
+from playground.render.radiosity.patch.memory import check_memory
+from playground.render.radiosity.patch.patches import Cells, Patches
+from playground.render.radiosity.patch.seams import Mesh, balanced, divide_cells, pieces_of
 from playground.shading.floats import Array
 
 Integers = NDArray[np.int64]

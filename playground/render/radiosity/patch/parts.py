@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.render.radiosity.outline import Outline
+from playground.render.radiosity.patch.outline import Outline
 
 Integers = NDArray[np.int64]
 LARGE = 4.0  # times the middle edge: what is longer is large beside the pieces of a fine mesh

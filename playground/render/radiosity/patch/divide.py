@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from playground.render.radiosity.colours import colours
-from playground.render.radiosity.cut import cut
-from playground.render.radiosity.memory import check_memory
-from playground.render.radiosity.outline import Outline, outline
-from playground.render.radiosity.parts import Parts
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.patch.colours import colours
+from playground.render.radiosity.patch.cut import cut
+from playground.render.radiosity.patch.memory import check_memory
+from playground.render.radiosity.patch.outline import Outline, outline
+from playground.render.radiosity.patch.parts import Parts
+from playground.render.radiosity.patch.patches import Patches
 from playground.scene.setup import Setup
 
 

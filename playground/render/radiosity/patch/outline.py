@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.errors import PlaygroundError
-from playground.render.radiosity.quads import quads
+from playground.render.radiosity.patch.quads import quads
 from playground.scene.light import AreaLight
 from playground.scene.normals import direction, weld
 from playground.scene.polygon import triangles

@@ -15,8 +15,8 @@ import weakref
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from playground.render.radiosity.patches import Patches
-from playground.render.radiosity.visibility import halves, lift_of, tree_of
+from playground.render.radiosity.factor.visibility import halves, lift_of, tree_of
+from playground.render.radiosity.patch.patches import Patches
 from playground.render.trace.bvh import Bvh
 from playground.render.trace.walk import closest
 from playground.shading.floats import Array

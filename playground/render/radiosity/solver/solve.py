@@ -13,11 +13,11 @@ from collections.abc import Iterator
 from typing import Protocol
 
 from playground.errors import unknown_name
-from playground.render.radiosity.gathering import gauss_seidel, jacobi
-from playground.render.radiosity.ledger import Ledger
-from playground.render.radiosity.shooting import overshooting, progressive, southwell
-from playground.render.radiosity.system import Step, System
-from playground.render.radiosity.whole import conjugate_gradients, direct
+from playground.render.radiosity.solver.gathering import gauss_seidel, jacobi
+from playground.render.radiosity.solver.ledger import Ledger
+from playground.render.radiosity.solver.shooting import overshooting, progressive, southwell
+from playground.render.radiosity.solver.system import Step, System
+from playground.render.radiosity.solver.whole import conjugate_gradients, direct
 
 __all__ = ["SOLVERS", "Ledger", "Solver", "Step", "System", "solution"]
 

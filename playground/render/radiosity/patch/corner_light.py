@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.patch.patches import Patches
 from playground.scene.normals import direction
 from playground.shading.floats import Array
 from playground.shading.vector import cross, dot

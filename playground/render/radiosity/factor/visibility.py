@@ -15,7 +15,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.patch.patches import Patches
 from playground.render.trace.bvh import Bvh, build
 from playground.render.trace.walk import blocked
 from playground.shading.floats import Array

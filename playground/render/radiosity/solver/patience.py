@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import inf, isfinite, log
 
 from playground.errors import PlaygroundError
-from playground.render.radiosity.system import System
+from playground.render.radiosity.solver.system import System
 
 LOOK_FROM = 16  # sweeps; from here on each doubling is compared with the one before
 DECIDE_FROM = 1024  # sweeps after which hopeless slowness ends the work

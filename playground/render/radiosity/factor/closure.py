@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.render.radiosity.patches import Parents, Patches
+from playground.render.radiosity.patch.patches import Parents, Patches
 from playground.render.trace.bvh import build
 from playground.render.trace.walk import closest
 from playground.shading.floats import Array

@@ -12,8 +12,8 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from playground.render.radiosity.patience import Patience
-from playground.render.radiosity.system import Step, System, narrow, nothing_sent
+from playground.render.radiosity.solver.patience import Patience
+from playground.render.radiosity.solver.system import Step, System, narrow, nothing_sent
 from playground.shading.floats import Array
 
 TOGETHER = 64  # patches whose Gauss–Seidel updates are made at once, with the very same result

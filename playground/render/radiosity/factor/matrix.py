@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from playground.errors import PlaygroundError
-from playground.render.radiosity.closure import ROW_SUM_OF_CLOSED, is_closed
-from playground.render.radiosity.matrix_report import MatrixReport, report_on
-from playground.render.radiosity.patches import Patches
+from playground.render.radiosity.factor.closure import ROW_SUM_OF_CLOSED, is_closed
+from playground.render.radiosity.factor.matrix_report import MatrixReport, report_on
+from playground.render.radiosity.patch.patches import Patches
 from playground.shading.floats import Array
 
 Rows = Callable[[NDArray[Any]], Array]  # patches (k,) -> their rows (k, N)

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from playground.errors import PlaygroundError
-from playground.render.radiosity.exchange import Exchange
-from playground.render.radiosity.patience import grows
-from playground.render.radiosity.system import Step, System, narrow, nothing_sent
+from playground.render.radiosity.solver.exchange import Exchange
+from playground.render.radiosity.solver.patience import grows
+from playground.render.radiosity.solver.system import Step, System, narrow, nothing_sent
 from playground.shading.floats import Array
 
 NO_BETTER = 20  # iterations without a new best end the search; rooms take about 8 in all

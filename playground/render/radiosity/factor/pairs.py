@@ -24,8 +24,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.render.radiosity.patches import Patches
-from playground.render.radiosity.visibility import between, facing
+from playground.render.radiosity.factor.visibility import between, facing
+from playground.render.radiosity.patch.patches import Patches
 from playground.shading.area_light import form_factor
 from playground.shading.floats import Array
 from playground.shading.polygon_pair import exchange_area

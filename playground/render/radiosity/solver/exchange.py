@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from playground.render.radiosity.matrix import FormFactors
+from playground.render.radiosity.factor.matrix import FormFactors
 from playground.shading.floats import Array
 
 BALANCED = 1e-10  # relative error of the row sums that is no longer worth a product

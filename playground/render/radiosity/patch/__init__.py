@@ -1,0 +1,1 @@
+"""What radiosity trades light between: patches, how they are cut, refined and looked over."""

@@ -1,0 +1,1 @@
+"""From form factors to light: gathering, shooting, and the whole system at once."""
