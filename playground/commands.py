@@ -52,7 +52,7 @@ def window(options: Namespace) -> int:
     from playground.gui import open_window
 
     if options.lesson is not None:
-        from playground.gui.open_lesson import open_lesson
+        from playground.gui.lesson.open_lesson import open_lesson
 
         return open_lesson(options.lesson)
     said = (options.setup, options.light, options.shading, options.terms, options.shininess)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from playground.errors import PlaygroundError
 from playground.gui.history import History
-from playground.gui.lightmap_store import beside
+from playground.gui.lightmap.lightmap_store import beside
 from playground.gui.reading import Reading, large_meshes
 from playground.gui.state import (
     CHOSEN,

@@ -15,20 +15,21 @@ from numpy.typing import NDArray
 
 from playground.errors import PlaygroundError
 from playground.files import write_whole
-from playground.gui import frame, memory, theme
+from playground.gui import frame, memory
 from playground.gui.actions import fresh, open_setup
-from playground.gui.bake_run import BakeRun
 from playground.gui.command_line import copied
-from playground.gui.comparison import Box
-from playground.gui.lesson_course import open_lesson
-from playground.gui.lesson_run import LessonRun
+from playground.gui.lesson.lesson_course import open_lesson
+from playground.gui.lesson.lesson_run import LessonRun
+from playground.gui.lightmap.bake_run import BakeRun
 from playground.gui.measuring import Measuring
+from playground.gui.picture.comparison import Box
 from playground.gui.reading_run import ReadingRun
 from playground.gui.run_loop import loop
 from playground.gui.scene_view import Slots
-from playground.gui.shader_edit import Watch, reloaded
+from playground.gui.shader.shader_edit import Watch, reloaded
 from playground.gui.state import State, shown, start
 from playground.gui.ui_loop import UiLoop
+from playground.gui.widget import theme
 from playground.render.gl.driver import software
 from playground.render.image_file import png_bytes
 from playground.scene.setup import Setup

@@ -6,28 +6,19 @@ from dataclasses import replace
 
 from imgui_bundle import imgui
 
-from playground.gui import (
-    guess,
-    menu,
-    out_of_sight,
-    radiosity_told,
-    same_point,
-    scope_path,
-    sheets,
-    status,
-    stored_words,
-    theme,
-    view,
-    waiting,
-)
-from playground.gui.comparison import Box
-from playground.gui.navigation import walked
+from playground.gui import guess, menu, sheets, status, view
+from playground.gui.measure import scope_path
 from playground.gui.panels import OPEN_AT_FIRST, PANELS, lesson, shaders
+from playground.gui.picture import same_point, waiting
+from playground.gui.picture.comparison import Box
+from playground.gui.picture.navigation import walked
 from playground.gui.presentation import backdrop, presenting, shows
+from playground.gui.radiosity import radiosity_told, stored_words
+from playground.gui.rays.tracing_told import told
 from playground.gui.scene_view import Slots
 from playground.gui.shortcuts import pressed
 from playground.gui.state import State
-from playground.gui.tracing_told import told
+from playground.gui.widget import out_of_sight, theme
 from playground.gui.widgets import Ui
 
 PANEL_WIDTH = 380.0  # pixels, at text size 1

@@ -8,12 +8,13 @@ from typing import Any
 import moderngl
 from imgui_bundle import imgui
 
-from playground.gui import gizmo_view, overlays, stored_words
-from playground.gui.canvas import Canvas
-from playground.gui.comparison import Picture
 from playground.gui.overlay_lines import NO_MARKS, Marks
+from playground.gui.picture import gizmo_view, overlays
+from playground.gui.picture.canvas import Canvas
+from playground.gui.picture.comparison import Picture
+from playground.gui.picture.slot import Given
+from playground.gui.radiosity import stored_words
 from playground.gui.scene_view import Slots
-from playground.gui.slot import Given
 from playground.gui.state import RADIOSITY, State
 
 WAITING, GIVEN_UP = "   computing...", "   given up, not of this setup"

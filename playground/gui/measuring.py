@@ -6,11 +6,11 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from playground.gui.guess import masked
-from playground.gui.mark_count import MarkCount
-from playground.gui.needs_run import NeedsRun
-from playground.gui.race_run import RaceRun
-from playground.gui.scope_run import ScopeRun
-from playground.gui.speed_run import SpeedRun
+from playground.gui.measure.needs_run import NeedsRun
+from playground.gui.measure.scope_run import ScopeRun
+from playground.gui.measure.speed_run import SpeedRun
+from playground.gui.picture.mark_count import MarkCount
+from playground.gui.radiosity.race_run import RaceRun
 
 if TYPE_CHECKING:
     from playground.gui.state import State

@@ -9,7 +9,7 @@ from imgui_bundle import imgui
 from playground.errors import PlaygroundError
 from playground.gui.action import Action
 from playground.gui.actions import open_setup
-from playground.gui.lesson_course import open_lesson
+from playground.gui.lesson.lesson_course import open_lesson
 from playground.gui.shortcuts import ACTIONS, MENUS
 from playground.gui.state import State
 from playground.lesson.library import lessons

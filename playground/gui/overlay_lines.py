@@ -12,8 +12,8 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.gui.gizmo_math import seen, surfaces_of
-from playground.gui.patch_lines import PatchLines
+from playground.gui.picture.gizmo_math import seen, surfaces_of
+from playground.gui.radiosity.patch_lines import PatchLines
 from playground.render.surface import Surface
 from playground.render.trace.bvh import bvh_of
 from playground.render.view import View

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from playground.errors import PlaygroundError
 from playground.files import Stamp, resolved, stamp
-from playground.gui.long_work import Piece, Pieces, Progress
+from playground.gui.work.long_work import Piece, Pieces, Progress
 from playground.scene.library import load
 from playground.scene.read_apart import read_apart
 from playground.scene.scene import MESH_FILES, Object

@@ -7,8 +7,8 @@ from dataclasses import replace
 from playground.errors import PlaygroundError
 from playground.gui import reading
 from playground.gui.actions import open_setup
-from playground.gui.long_work import LongWork
 from playground.gui.state import State
+from playground.gui.work.long_work import LongWork
 
 
 class ReadingRun:

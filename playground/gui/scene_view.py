@@ -9,16 +9,16 @@ from typing import TYPE_CHECKING
 
 import moderngl
 
-from playground.gui.atlas_picture import AtlasPicture
-from playground.gui.difference import DifferencePicture
-from playground.gui.factor_run import FactorRun
-from playground.gui.lesson_pictures import LessonPictures
+from playground.gui.lesson.lesson_pictures import LessonPictures
+from playground.gui.lightmap.atlas_picture import AtlasPicture
 from playground.gui.overlay_lines import Marks
-from playground.gui.path_picture import PathPicture
-from playground.gui.reference import ReferencePicture
-from playground.gui.slot import Given, Slot
-from playground.gui.stored_slots import StoredSlots
-from playground.gui.traced_slots import TracedSlots
+from playground.gui.picture.difference import DifferencePicture
+from playground.gui.picture.path_picture import PathPicture
+from playground.gui.picture.reference import ReferencePicture
+from playground.gui.picture.slot import Given, Slot
+from playground.gui.radiosity.factor_run import FactorRun
+from playground.gui.radiosity.stored_slots import StoredSlots
+from playground.gui.rays.traced_slots import TracedSlots
 from playground.scene.settings import Settings, Shading
 from playground.scene.setup import Setup
 

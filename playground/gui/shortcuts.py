@@ -9,11 +9,13 @@ from functools import cache, partial
 
 from imgui_bundle import imgui
 
-from playground.gui import actions, lesson_course, presentation, radiosity_keys
+from playground.gui import actions, presentation
 from playground.gui.action import Action, key
-from playground.gui.navigation import NOTCH, SHIFT_STEP, STEP, closer, shifted, turned
-from playground.gui.pixel_pick import forget
-from playground.gui.stand import stepped
+from playground.gui.lesson import lesson_course
+from playground.gui.picture.navigation import NOTCH, SHIFT_STEP, STEP, closer, shifted, turned
+from playground.gui.picture.pixel_pick import forget
+from playground.gui.picture.stand import stepped
+from playground.gui.radiosity import radiosity_keys
 from playground.gui.state import TRACED, State
 from playground.scene.settings import TERMS, Shading
 

@@ -7,7 +7,7 @@ from functools import lru_cache
 from imgui_bundle import imgui
 
 from playground.gui.state import State
-from playground.gui.theme import PALETTES
+from playground.gui.widget.theme import PALETTES
 from playground.render.needs import needs
 from playground.render.surface import surfaces
 from playground.render.view import view_of

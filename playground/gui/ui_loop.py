@@ -12,7 +12,7 @@ from typing import Any
 
 from imgui_bundle import _imgui_bundle, imgui, implot  # type: ignore[attr-defined]
 
-from playground.gui import theme
+from playground.gui.widget import theme
 
 GLSL = "#version 330"
 

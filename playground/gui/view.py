@@ -7,23 +7,17 @@ from dataclasses import replace
 from imgui_bundle import imgui
 
 from playground.errors import PlaygroundError
-from playground.gui import (
-    arrows,
-    difference_view,
-    factor_pen,
-    formulas,
-    layers,
-    patch_pick,
-    pixel_pick,
-    ray_pen,
-    stored_words,
-    texel_mark,
-)
-from playground.gui.comparison import Picture, formula_box, pictures
+from playground.gui import layers
 from playground.gui.guess import masked
-from playground.gui.navigation import navigated
+from playground.gui.lightmap import texel_mark
+from playground.gui.picture import difference_view, formulas, pixel_pick
+from playground.gui.picture.comparison import Picture, formula_box, pictures
+from playground.gui.picture.navigation import navigated
+from playground.gui.pixel import arrows
+from playground.gui.radiosity import factor_pen, patch_pick, stored_words
+from playground.gui.rays import ray_pen
 from playground.gui.scene_view import Slots
-from playground.gui.shader_edit import overrides
+from playground.gui.shader.shader_edit import overrides
 from playground.gui.state import State
 
 GRIP = 9  # pixels to either side of the divider that catch the mouse, at text size 1

@@ -13,15 +13,15 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from imgui_bundle import imgui
 
 from playground.errors import PlaygroundError
-from playground.gui import spans
-from playground.gui.factor_told import FactorTold
-from playground.gui.radiosity_told import RadiosityTold
-from playground.gui.tracing_told import TracingTold
-from playground.gui.typeset import typeset
+from playground.gui.radiosity.factor_told import FactorTold
+from playground.gui.radiosity.radiosity_told import RadiosityTold
+from playground.gui.rays.tracing_told import TracingTold
+from playground.gui.widget import spans
+from playground.gui.widget.typeset import typeset
 from playground.scene.knob import Knob, knobs
 
 if TYPE_CHECKING:
-    from playground.gui.atlas_picture import AtlasPicture
+    from playground.gui.lightmap.atlas_picture import AtlasPicture
 
 COLOUR_FLAGS = (
     imgui.ColorEditFlags_.float.value

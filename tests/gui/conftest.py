@@ -153,7 +153,7 @@ class Hands:
 
         It finds only what is built, so that all panels are, in sight or not.
         """
-        from playground.gui import out_of_sight
+        from playground.gui.widget import out_of_sight
 
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr(out_of_sight, "MARGIN", float("inf"))

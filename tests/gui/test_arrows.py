@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from playground.gui import vector_pen as pen
-from playground.gui.formulas import formula
+from playground.gui.picture.formulas import formula
+from playground.gui.pixel import vector_pen as pen
 
 POINT = (380.0, 340.0)  # in the window, on the teapot
 
@@ -50,7 +50,7 @@ def test_arrows_are_not_cut_at_the_divider(hands):
 
 @pytest.mark.gl
 def test_no_plate_covers_the_triangle(hands, monkeypatch):
-    from playground.gui import arrows
+    from playground.gui.pixel import arrows
 
     hands.load("teapot", shading="per-vertex")
     drawn, tips = [], pen.tips

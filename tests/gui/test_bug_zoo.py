@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from playground.gui import actions, guess, status
-from playground.gui.comparison import pictures
+from playground.gui.picture.comparison import pictures
 from playground.gui.state import shown, start
 from playground.measure.metrics import rmse
 from playground.render.gl.bugs import zoo

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from playground.errors import PlaygroundError
-from playground.gui.spans import tidy
+from playground.gui.widget.spans import tidy
 from playground.render.gl.bugs import zoo
 from playground.scene.camera import Camera
 from playground.scene.knob import knobs

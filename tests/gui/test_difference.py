@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from playground.explain.colour_map import colour_of
-from playground.gui import reference
-from playground.gui.difference import differ
+from playground.gui.picture import reference
+from playground.gui.picture.difference import differ
 from playground.render.numpy_renderer import NumpyRenderer
 from playground.scene.library import load
 

@@ -5,10 +5,10 @@ from time import monotonic
 import pytest
 
 from playground import locate
-from playground.gui import scope_path, scope_run, speed_log
-from playground.gui.scope_path import DRAWN
-from playground.gui.shader_edit import edited, reverted
-from playground.gui.speed_log import EDITED
+from playground.gui.measure import scope_path, scope_run, speed_log
+from playground.gui.measure.scope_path import DRAWN
+from playground.gui.measure.speed_log import EDITED
+from playground.gui.shader.shader_edit import edited, reverted
 from playground.measure.popping import along
 from playground.render.gl.renderer import GLRenderer
 

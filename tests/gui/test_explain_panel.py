@@ -6,16 +6,22 @@ import numpy as np
 import pytest
 
 from playground.explain.pixel import explain
-from playground.gui.clue import Clue
-from playground.gui.comparison import Picture
-from playground.gui.explained import Explainer, chosen_corner, pixel_at
+from playground.gui.picture.comparison import Picture
+from playground.gui.pixel.clue import Clue
+from playground.gui.pixel.explained import Explainer, chosen_corner, pixel_at
 from playground.scene.library import load
 
 imgui = pytest.importorskip("imgui_bundle").imgui
 
-from playground.gui import filter_bars, lobe_plot, pixel_pick, side_view, triangle_mark  # noqa: E402
-from playground.gui import vector_pen as pen  # noqa: E402
-from playground.gui.equation import formula, numbers  # noqa: E402
+from playground.gui.picture import pixel_pick  # noqa: E402
+from playground.gui.pixel import (  # noqa: E402
+    filter_bars,
+    lobe_plot,
+    side_view,
+    triangle_mark,
+)
+from playground.gui.pixel import vector_pen as pen  # noqa: E402
+from playground.gui.pixel.equation import formula, numbers  # noqa: E402
 
 POINT = (390, 330)  # of the window: on the teapot, in its highlight
 
@@ -122,7 +128,7 @@ def test_the_equation_says_the_numbers_of_the_point():
 
 
 def test_the_explainer_computes_once_and_rests_while_it_is_slow(monkeypatch):
-    from playground.gui import explained
+    from playground.gui.pixel import explained
 
     asked, now = [], [0.0]
 
@@ -159,8 +165,8 @@ def _settled(hands):
 
 @pytest.mark.gl
 def test_a_click_picks_a_pixel_and_the_picture_agrees(hands):
-    from playground.gui.comparison import pictures
-    from playground.gui.explained import explained
+    from playground.gui.picture.comparison import pictures
+    from playground.gui.pixel.explained import explained
 
     box = hands.window.view_box()
     before = hands.state.setup

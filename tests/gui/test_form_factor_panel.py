@@ -9,8 +9,8 @@ import pytest
 
 from playground.errors import PlaygroundError
 from playground.explain.patch_pair import explain_pair
-from playground.gui.factor_view import OTHER, UNDER, FactorView
-from playground.gui.latest import Latest
+from playground.gui.radiosity.factor_view import OTHER, UNDER, FactorView
+from playground.gui.work.latest import Latest
 from playground.render.radiosity.factor.form_factors import METHODS
 from playground.render.radiosity.factor.hemicube import Hemicubes
 from playground.render.radiosity.patch.divide import divide
@@ -18,7 +18,11 @@ from playground.scene.library import load
 
 imgui = pytest.importorskip("imgui_bundle").imgui
 
-from playground.gui import factor_formula, factor_table, hemicube_image  # noqa: E402
+from playground.gui.radiosity import (  # noqa: E402
+    factor_formula,
+    factor_table,
+    hemicube_image,
+)
 
 SETUP = "cornell-box"
 FLOOR, RED, GREEN = (417, 620), (200, 300), (700, 300)  # of the window: on three sides of the box

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from playground.gui.gizmo_math import (
+from playground.gui.picture.gizmo_math import (
     axis_move,
     depth,
     facing,
@@ -16,8 +16,14 @@ from playground.gui.gizmo_math import (
     seen,
     turned_on_ball,
 )
-from playground.gui.gizmos import dragged, light_handles, object_handles, ring_radius, spot_end
-from playground.gui.light_change import converted, exchanged
+from playground.gui.picture.gizmos import (
+    dragged,
+    light_handles,
+    object_handles,
+    ring_radius,
+    spot_end,
+)
+from playground.gui.picture.light_change import converted, exchanged
 from playground.scene.library import load
 from playground.shading.vector import unit
 
@@ -194,7 +200,7 @@ class TestInTheWindow:
     """The same by the mouse, in the real app."""
 
     def place(self, hands, shape):
-        from playground.gui.comparison import pictures
+        from playground.gui.picture.comparison import pictures
 
         x, y, _, _ = hands.window.view_box()
         width, height = hands.pixels().shape[1::-1]

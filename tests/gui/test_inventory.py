@@ -10,13 +10,14 @@ from time import monotonic
 import pytest
 from test_controls import PARTS, UNFOLDED, choose, opened
 
-from playground.gui import bake_log, race_log
-from playground.gui.clue import Clue
-from playground.gui.factor_table import TITLES
-from playground.gui.factor_view import FactorView
-from playground.gui.overlay_knobs import Overlays
+from playground.gui.lightmap import bake_log
 from playground.gui.panels import PANELS
-from playground.gui.snell import MEDIA, Bench
+from playground.gui.picture.overlay_knobs import Overlays
+from playground.gui.pixel.clue import Clue
+from playground.gui.radiosity import race_log
+from playground.gui.radiosity.factor_table import TITLES
+from playground.gui.radiosity.factor_view import FactorView
+from playground.gui.rays.snell import MEDIA, Bench
 from playground.gui.state import LIGHTMAP, PATHS, RADIOSITY, TRACED
 from playground.measure.popping import orbit
 from playground.render.gl.bugs import zoo

@@ -12,8 +12,8 @@ from test_controls import choose, opened
 from test_inventory import TITLE, found, named
 from test_needs_panel import measured
 
-from playground.gui.needs_log import NOTHING, dropped
-from playground.gui.shader_edit import running
+from playground.gui.measure.needs_log import NOTHING, dropped
+from playground.gui.shader.shader_edit import running
 from playground.gui.shortcuts import ACTIONS
 from playground.gui.state import CODE_VIEWS, FIVE, TWINS
 from playground.measure.advice import METRICS

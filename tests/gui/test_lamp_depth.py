@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from playground.gui.gizmo_math import FURTHER, depth, plane_move, seen, sight_move
-from playground.gui.gizmos import dragged, lamp_place, light_handles
-from playground.gui.light_change import converted, exchanged
+from playground.gui.picture.gizmo_math import FURTHER, depth, plane_move, seen, sight_move
+from playground.gui.picture.gizmos import dragged, lamp_place, light_handles
+from playground.gui.picture.light_change import converted, exchanged
 from playground.scene.library import load
 
 SIZE = (920, 650)

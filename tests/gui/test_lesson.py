@@ -8,7 +8,7 @@ from time import monotonic, sleep
 import numpy as np
 import pytest
 
-from playground.gui.lesson_course import Course, open_lesson, staged
+from playground.gui.lesson.lesson_course import Course, open_lesson, staged
 from playground.gui.panels import lesson as panel
 from playground.gui.shortcuts import ACTIONS
 from playground.gui.state import State

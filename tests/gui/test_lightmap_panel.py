@@ -9,10 +9,11 @@ import pytest
 
 import playground as pg
 from playground.explain.texel_places import texel_places
-from playground.gui import actions, bake_log, lightmap_store
-from playground.gui.atlas_look import AtlasLook, Spot
-from playground.gui.atlas_pixels import BORDER, around, atlas_codes, texels_at
-from playground.gui.bake_run import BakeRun
+from playground.gui import actions
+from playground.gui.lightmap import bake_log, lightmap_store
+from playground.gui.lightmap.atlas_look import AtlasLook, Spot
+from playground.gui.lightmap.atlas_pixels import BORDER, around, atlas_codes, texels_at
+from playground.gui.lightmap.bake_run import BakeRun
 from playground.gui.state import LIGHTMAP, start
 from playground.render.lightmap.lightmap_file import load_lightmap
 from playground.shading.display import code8, display_colour

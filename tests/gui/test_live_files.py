@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from playground.gui.live_files import holds, live_files
-from playground.gui.shader_edit import needs_of, running, text_of
+from playground.gui.shader.live_files import holds, live_files
+from playground.gui.shader.shader_edit import needs_of, running, text_of
 from playground.gui.state import start
 from playground.render.gl.program import sources_for
 from playground.render.gl.source import assemble

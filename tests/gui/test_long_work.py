@@ -6,11 +6,13 @@ import numpy as np
 import pytest
 
 from playground.errors import PlaygroundError
-from playground.gui import actions, long_work, progress_bar, reading, reference_pieces
-from playground.gui.long_work import LongWork, Piece, Progress, counted, part, together
+from playground.gui import actions, reading
+from playground.gui.measure.speed_run import SpeedRun
+from playground.gui.picture import reference_pieces
 from playground.gui.reading_run import ReadingRun
-from playground.gui.speed_run import SpeedRun
 from playground.gui.state import start
+from playground.gui.work import long_work, progress_bar
+from playground.gui.work.long_work import LongWork, Piece, Progress, counted, part, together
 from playground.render.numpy_renderer import NumpyRenderer
 from playground.scene import read_apart
 from playground.scene.library import load
@@ -271,7 +273,7 @@ class TestInTheWindow:
         assert hands.state.reading is None and hands.state.setup.name == "torus"
 
     def test_the_speed_run_comes_nearer_its_end_piece_by_piece(self, hands, window):
-        from playground.gui.speed_log import asked
+        from playground.gui.measure.speed_log import asked
 
         run = SpeedRun(window.ctx)
         log, shares = asked(start(load("popping"))).speed, []
@@ -283,7 +285,7 @@ class TestInTheWindow:
         run.close()
 
     def test_the_speed_run_is_cancelled_by_its_button(self, hands, monkeypatch):
-        from playground.gui import speed_run
+        from playground.gui.measure import speed_run
 
         monkeypatch.setattr(speed_run, "TIMED", 10**6)
         hands.do(lambda c: c.item_open("//Controls/Speed and error"))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from test_controls import opened
 
-from playground.gui.mark_count import REST
+from playground.gui.picture.mark_count import REST
 from playground.scene.settings import MARKS
 from playground.shading.marks import COLOURS, KINDS
 
@@ -43,7 +43,8 @@ def test_nothing_is_counted_while_the_picture_changes_or_the_panel_is_closed(han
     drawn = []
     count = hands.window.measuring._marks
     monkeypatch.setattr(count, "_counts", lambda *of: drawn.append(of) or (0,) * len(MARKS))
-    monkeypatch.setattr("playground.gui.mark_count.perf_counter", lambda: len(steps) * REST / 2)
+    clock = "playground.gui.picture.mark_count.perf_counter"
+    monkeypatch.setattr(clock, lambda: len(steps) * REST / 2)
     steps = []
     for exposure in np.linspace(1.0, 2.0, 6).tolist():  # half a rest each
         steps.append(exposure)

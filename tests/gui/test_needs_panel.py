@@ -6,9 +6,10 @@ from time import monotonic
 import numpy as np
 import pytest
 
-from playground.gui import actions, needs_log, needs_run
-from playground.gui.needs_log import NOTHING, applied, asked, dropped, switched, walked_away
-from playground.gui.needs_run import NeedsRun
+from playground.gui import actions
+from playground.gui.measure import needs_log, needs_run
+from playground.gui.measure.needs_log import NOTHING, applied, asked, dropped, switched, walked_away
+from playground.gui.measure.needs_run import NeedsRun
 from playground.gui.state import start
 from playground.measure import advisor
 from playground.measure.advisor import advise

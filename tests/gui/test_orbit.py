@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from playground.gui.orbit import STEEPEST, dolly, orbit, pan, widened
+from playground.gui.picture.orbit import STEEPEST, dolly, orbit, pan, widened
 from playground.render.projection import vertical_angle, view_rotation
 from playground.scene.camera import Camera
 

@@ -31,7 +31,7 @@ def all_open(hands):
 
 
 def test_scrolling_shows_the_same_as_when_everything_is_built(all_open, monkeypatch):
-    from playground.gui import out_of_sight
+    from playground.gui.widget import out_of_sight
 
     for notches in (0.0, -4.0, -9.0, -30.0, 12.0, 200.0):
         all_open.wheel(*PANEL, notches)
@@ -42,7 +42,8 @@ def test_scrolling_shows_the_same_as_when_everything_is_built(all_open, monkeypa
 
 
 def test_panels_out_of_sight_are_not_built(all_open, monkeypatch):
-    from playground.gui import out_of_sight, panels
+    from playground.gui import panels
+    from playground.gui.widget import out_of_sight
 
     built = []
     for name, panel in panels.PANELS.items():

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from playground.gui.gizmo_math import seen, surfaces_of
-from playground.gui.overlay_knobs import Overlays
 from playground.gui.overlay_lines import edges, few, normal_lines
+from playground.gui.picture.gizmo_math import seen, surfaces_of
+from playground.gui.picture.overlay_knobs import Overlays
 from playground.scene.knob import knobs
 from playground.scene.library import load
 from playground.scene.shapes import make
@@ -47,7 +47,7 @@ def test_normals_of_a_stretched_sphere_stand_on_it(faces):
 @pytest.fixture
 def overlays_module():
     pytest.importorskip("imgui_bundle")
-    from playground.gui import overlays
+    from playground.gui.picture import overlays
 
     return overlays
 
@@ -63,7 +63,7 @@ def test_the_circle_of_a_cone_has_its_angle(overlays_module, angle):
 
 
 def test_a_line_is_cut_where_it_passes_behind_the_eye(overlays_module):
-    from playground.gui.canvas import segment
+    from playground.gui.picture.canvas import segment
 
     setup, size = load("teapot").with_(eye=(0, 0, 6), target=(0, 0, 0)), (900, 600)
     view = seen(setup.scene, setup.camera, size)

@@ -6,11 +6,12 @@ from time import monotonic, sleep
 import numpy as np
 import pytest
 
-from playground.gui import actions, guess, scope_path, scope_run
-from playground.gui.aside import Aside
+from playground.gui import actions, guess
+from playground.gui.measure import scope_path, scope_run
+from playground.gui.measure.scope_path import angle_of, measured, off_path, outdated, scrubbed
 from playground.gui.panels.popping import curve
-from playground.gui.scope_path import angle_of, measured, off_path, outdated, scrubbed
 from playground.gui.state import start
+from playground.gui.work.aside import Aside
 from playground.measure.popping import Brightness, Step, largest_jump, orbit
 from playground.scene.library import load
 

@@ -19,7 +19,7 @@ def test_the_window_shows_float16_and_marks(hands):
 
 
 def test_the_reference_stays_float64(hands):
-    from playground.gui.reference import coded
+    from playground.gui.picture.reference import coded
 
     def codes(setup):
         return [piece.item for piece in coded(setup, (80, 60))][-1]

@@ -8,14 +8,15 @@ import numpy as np
 import pytest
 from test_radiosity_window import PATIENCE, Solved, size_of
 
-from playground.gui import actions, path_picture
+from playground.gui import actions
 from playground.gui.command_line import command_line
-from playground.gui.comparison import boxes, pictures
-from playground.gui.difference import differ
 from playground.gui.memory import recall, recalled, remember
-from playground.gui.orbit import widened
-from playground.gui.path_picture import sampled
-from playground.gui.radiosity_keys import METHODS
+from playground.gui.picture import path_picture
+from playground.gui.picture.comparison import boxes, pictures
+from playground.gui.picture.difference import differ
+from playground.gui.picture.orbit import widened
+from playground.gui.picture.path_picture import sampled
+from playground.gui.radiosity.radiosity_keys import METHODS
 from playground.gui.state import (
     CHOSEN,
     FIVE,
@@ -105,7 +106,7 @@ class TestState:
         assert pictures(state, 300, 200)[0].setup.settings.bugs == ()
 
     def test_a_pixel_of_stored_light_is_not_explained_by_the_local_model(self):
-        from playground.gui.explained import explained
+        from playground.gui.pixel.explained import explained
 
         state = start(load("cornell-box"))
         assert explained(pictures(state, 300, 200)[0], (0.5, 0.5)) is not None

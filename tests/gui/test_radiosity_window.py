@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from playground.gui.orbit import widened
+from playground.gui.picture.orbit import widened
 from playground.gui.state import LIGHTMAP, RADIOSITY
 from playground.render.renderer import open_renderer
 from playground.scene.library import load

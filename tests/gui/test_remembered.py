@@ -12,10 +12,10 @@ from playground.scene.library import load
 
 imgui = pytest.importorskip("imgui_bundle").imgui
 
-from playground.gui.canvas import segment  # noqa: E402
-from playground.gui.equation import triple  # noqa: E402
-from playground.gui.gizmo_math import seen  # noqa: E402
-from playground.gui.telling import LIT_TERMS, display_told, point_told  # noqa: E402
+from playground.gui.picture.canvas import segment  # noqa: E402
+from playground.gui.picture.gizmo_math import seen  # noqa: E402
+from playground.gui.pixel.equation import triple  # noqa: E402
+from playground.gui.pixel.telling import LIT_TERMS, display_told, point_told  # noqa: E402
 
 SIZE = (920, 651)
 PIXEL = (390, 309)
@@ -144,7 +144,7 @@ CHANGES = {
 @pytest.mark.gl
 @pytest.mark.parametrize("notches", [0.0, -14.0], ids=["top", "further down"])
 def test_the_panel_never_shows_what_was(hands, monkeypatch, notches):
-    from playground.gui import explained
+    from playground.gui.pixel import explained
 
     monkeypatch.setattr(explained, "SHORT", float("inf"))  # explained anew at every frame
     hands.window.state = replace(hands.state, pixel=(0.42, 0.5), unfold="Explain")

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from playground.explain.pixel import explain
-from playground.gui.orbit import widened
-from playground.gui.same_point import moved
+from playground.gui.picture.orbit import widened
+from playground.gui.picture.same_point import moved
 from playground.scene.library import load
 
 SIZES = [(1280, 720), (900, 640), (640, 640), (300, 640), (64, 600)]
@@ -71,8 +71,8 @@ def test_a_point_that_is_out_of_the_picture_is_forgotten(hands):
 
 def point(hands):
     """Where the explained point is in the world."""
-    from playground.gui.comparison import pictures
-    from playground.gui.explained import explained
+    from playground.gui.picture.comparison import pictures
+    from playground.gui.pixel.explained import explained
 
     box = hands.window.view_box()
     shown = pictures(hands.state, box[2], box[3])

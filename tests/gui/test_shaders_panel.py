@@ -17,7 +17,7 @@ def texts(name):
 
 
 def with_text(hands, file, text):
-    from playground.gui.shader_edit import edited
+    from playground.gui.shader.shader_edit import edited
 
     hands.window.state = edited(hands.window.state, file, text)
     hands.frames(3)
@@ -25,7 +25,7 @@ def with_text(hands, file, text):
 
 @pytest.mark.parametrize("shading", ["flat", "per-vertex", "per-fragment"])
 def test_the_files_shown_are_the_ones_that_run(window, shading):
-    from playground.gui.shader_edit import running
+    from playground.gui.shader.shader_edit import running
     from playground.render.gl.program import STAGES
 
     files = running(start(load("teapot").with_(shading=shading)))
@@ -36,7 +36,7 @@ def test_the_files_shown_are_the_ones_that_run(window, shading):
 
 
 def test_an_edit_draws_another_picture_and_revert_the_old_one(hands, window):
-    from playground.gui.shader_edit import reverted
+    from playground.gui.shader.shader_edit import reverted
 
     before = hands.pixels()
     with_text(hands, "present.glsl", texts("present.glsl").replace("shown", "shown.bgr", 1))
@@ -133,7 +133,7 @@ def test_both_views_and_every_twin_are_drawn(hands, window, name):
 
 
 def test_every_twin_named_exists():
-    from playground.gui.twins import twin_of
+    from playground.gui.shader.twins import twin_of
 
     assert twin_of("lib/phong.glsl", "NumPy").name == "phong.py"
     assert twin_of("shade.glsl", "NumPy").name == "shade.py"
@@ -145,7 +145,7 @@ def test_every_twin_named_exists():
 
 
 def test_the_call_of_the_model_is_found_in_each_stage():
-    from playground.gui.shader_edit import calls, includes
+    from playground.gui.shader.shader_edit import calls, includes
 
     for file, word in (("gouraud.vert", "emit_colours("), ("phong.frag", "shade(")):
         text = texts(file)
@@ -157,7 +157,7 @@ def test_the_call_of_the_model_is_found_in_each_stage():
 def test_a_file_that_changes_on_disk_is_read_again(tmp_path, monkeypatch):
     import shutil
 
-    from playground.gui import shader_edit
+    from playground.gui.shader import shader_edit
 
     shutil.copytree(locate.shader(""), tmp_path / "shaders")
     monkeypatch.setattr(shader_edit.locate, "shader", lambda name: tmp_path / "shaders" / name)

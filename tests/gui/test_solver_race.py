@@ -10,13 +10,13 @@ import pytest
 
 import playground as pg
 from playground.errors import PlaygroundError
-from playground.gui import race_log, race_plot
-from playground.gui.energy_bars import MOST, bars_of, share_of, worst_imbalance
-from playground.gui.long_work import Piece
-from playground.gui.process_work import ProcessWork
-from playground.gui.race_log import RaceLog
-from playground.gui.race_run import RaceJob, RaceRun
+from playground.gui.radiosity import race_log, race_plot
+from playground.gui.radiosity.energy_bars import MOST, bars_of, share_of, worst_imbalance
+from playground.gui.radiosity.race_log import RaceLog
+from playground.gui.radiosity.race_run import RaceJob, RaceRun
 from playground.gui.state import start
+from playground.gui.work.long_work import Piece
+from playground.gui.work.process_work import ProcessWork
 from playground.measure import solver_race
 from playground.measure.solver_race import Account, SharedRows, racing
 from playground.scene.settings import SOLVERS

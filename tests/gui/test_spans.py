@@ -2,7 +2,7 @@
 
 import pytest
 
-from playground.gui import spans
+from playground.gui.widget import spans
 from playground.scene.camera import Camera
 from playground.scene.knob import knobs
 from playground.scene.light import LIGHTS

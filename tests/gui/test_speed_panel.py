@@ -8,10 +8,12 @@ from time import monotonic
 import numpy as np
 import pytest
 
-from playground.gui import actions, log_axis, speed_log
+from playground.gui import actions
+from playground.gui.measure import speed_log
+from playground.gui.measure.speed_log import Dot, SpeedLog, key_of
 from playground.gui.panels.speed import LEAST, error
-from playground.gui.speed_log import Dot, SpeedLog, key_of
 from playground.gui.state import start
+from playground.gui.widget import log_axis
 from playground.scene.library import load
 
 PANEL = "//Controls/Speed and error"

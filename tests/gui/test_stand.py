@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from playground.explain.pixel import explain
-from playground.gui.canvas import segment
-from playground.gui.comparison import pictures
-from playground.gui.gizmo_math import seen
-from playground.gui.stand import TURN, Stand, aside, standing, stepped, turned, viewed
+from playground.gui.picture.canvas import segment
+from playground.gui.picture.comparison import pictures
+from playground.gui.picture.gizmo_math import seen
+from playground.gui.picture.stand import TURN, Stand, aside, standing, stepped, turned, viewed
+from playground.gui.pixel.vector_pen import openness
 from playground.gui.state import start
-from playground.gui.vector_pen import openness
 from playground.scene.library import load
 from playground.shading.vector import unit
 

@@ -3,9 +3,9 @@
 import pytest
 
 from playground.gui import actions
-from playground.gui.comparison import boxes, grid, pictures
 from playground.gui.history import LIMIT, History
-from playground.gui.light_change import added, converted, exchanged, removed
+from playground.gui.picture.comparison import boxes, grid, pictures
+from playground.gui.picture.light_change import added, converted, exchanged, removed
 from playground.gui.state import LAYOUTS, shown, start
 from playground.gui.wording import difference
 from playground.scene.library import library, load

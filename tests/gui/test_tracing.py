@@ -9,15 +9,16 @@ import pytest
 
 from playground.explain.ray_pixel import trace_pixel
 from playground.explain.ray_tree import BLOCKED
-from playground.gui import actions, ray_words
+from playground.gui import actions
 from playground.gui.command_line import command_line
-from playground.gui.comparison import pictures
-from playground.gui.ray_lines import lines
-from playground.gui.ray_trees import gone
-from playground.gui.ray_view import ALL, PACE, REST, RayView
-from playground.gui.snell import MEDIA, SNAP, Bench, angle_at, medium, shares
+from playground.gui.picture.comparison import pictures
+from playground.gui.rays import ray_words
+from playground.gui.rays.ray_lines import lines
+from playground.gui.rays.ray_trees import gone
+from playground.gui.rays.ray_view import ALL, PACE, REST, RayView
+from playground.gui.rays.snell import MEDIA, SNAP, Bench, angle_at, medium, shares
+from playground.gui.rays.traced_aside import MOST, effort_codes, painted, traced_codes
 from playground.gui.state import RASTER, REFERENCE, TRACED, start
-from playground.gui.traced_aside import MOST, effort_codes, painted, traced_codes
 from playground.scene.library import load
 from playground.shading import optics
 
@@ -208,7 +209,7 @@ def settle(hands):
 
 def rendered(hands, **changes):
     """The codes (H, W, 3) of a tracer that knows nothing of the window."""
-    from playground.gui.orbit import widened
+    from playground.gui.picture.orbit import widened
     from playground.render.gl.trace.tracer import GLTracer
 
     size = hands.window.view_box()[2:]
@@ -243,7 +244,7 @@ def test_the_window_shows_the_tracers_picture(hands, name, samples):
 
 @pytest.mark.gl
 def test_the_first_picture_is_coarse_and_any_change_drops_what_is_under_way(hands, monkeypatch):
-    from playground.gui import tracing
+    from playground.gui.rays import tracing
 
     monkeypatch.setattr(tracing, "coarseness", lambda seconds: 4)
     monkeypatch.setattr(tracing, "bands", lambda seconds, rows: 16)
@@ -275,8 +276,8 @@ def test_the_first_picture_is_coarse_and_any_change_drops_what_is_under_way(hand
 
 @pytest.mark.gl
 def test_numpy_traces_where_the_gpu_cannot(hands, monkeypatch):
-    from playground.gui.traced_slots import TracedSlots
-    from playground.gui.tracing import TracedPicture
+    from playground.gui.rays.traced_slots import TracedSlots
+    from playground.gui.rays.tracing import TracedPicture
     from playground.render.gl.program import ShaderError
 
     def refused(*more):
@@ -439,7 +440,7 @@ def test_the_heat_map_takes_the_place_of_the_traced_picture(hands):
 
 @pytest.mark.gl
 def test_warnings_are_told(hands):
-    from playground.gui.tracing_told import told
+    from playground.gui.rays.tracing_told import told
 
     hands.load(ROOM, shading="flat")
     traced(hands)
@@ -452,7 +453,7 @@ def test_warnings_are_told(hands):
 
 @pytest.mark.gl
 def test_large_trees_are_built_beside_the_window(hands, monkeypatch):
-    from playground.gui import large_trees
+    from playground.gui.rays import large_trees
     from playground.render.trace.bvh import is_built
 
     monkeypatch.setattr(large_trees, "LARGE", 100)

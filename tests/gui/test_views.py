@@ -7,9 +7,9 @@ from itertools import product
 import numpy as np
 import pytest
 
-from playground.gui.difference import differ
-from playground.gui.orbit import widened
-from playground.gui.overlay_knobs import Overlays
+from playground.gui.picture.difference import differ
+from playground.gui.picture.orbit import widened
+from playground.gui.picture.overlay_knobs import Overlays
 from playground.gui.state import FIVE, LAYOUTS, REFERENCE
 from playground.render.gl.renderer import GLRenderer
 from playground.render.numpy_renderer import NumpyRenderer

@@ -8,9 +8,10 @@ from functools import lru_cache
 
 from imgui_bundle import imgui
 
-from playground.gui import guess, theme
-from playground.gui.plots import wrapped
+from playground.gui import guess
 from playground.gui.state import State
+from playground.gui.widget import theme
+from playground.gui.widget.plots import wrapped
 from playground.gui.widgets import Ui, attempt, bare
 from playground.render.gl.bugs import Bug, Edit, zoo
 from playground.scene.knob import knobs

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from imgui_bundle import imgui
 
-from playground.gui import mark_count
-from playground.gui.mark_log import MarkLog
+from playground.gui.picture import mark_count
+from playground.gui.picture.mark_log import MarkLog
 from playground.gui.state import State
 from playground.gui.widgets import LABELS, Ui, attempt, edit, label, tooltip
 from playground.scene.knob import knobs

@@ -8,15 +8,14 @@ from imgui_bundle import imgui
 
 from playground.explain.pixel import Explanation
 from playground.explain.words import CORNERS
-from playground.gui import filter_bars, lobe_plot, ray_tree_panel, side_view, triangle_mark
-from playground.gui.clue import Clue
-from playground.gui.comparison import pictures
-from playground.gui.equation import write
-from playground.gui.explained import chosen_corner, chosen_light, explained
-from playground.gui.pixel_pick import forget
-from playground.gui.stand import viewed
-from playground.gui.state import State
-from playground.gui.telling import (
+from playground.gui.picture.comparison import pictures
+from playground.gui.picture.pixel_pick import forget
+from playground.gui.picture.stand import viewed
+from playground.gui.pixel import filter_bars, lobe_plot, side_view, triangle_mark
+from playground.gui.pixel.clue import Clue
+from playground.gui.pixel.equation import write
+from playground.gui.pixel.explained import chosen_corner, chosen_light, explained
+from playground.gui.pixel.telling import (
     LIT_TERMS,
     ChosenLight,
     LightTold,
@@ -25,6 +24,8 @@ from playground.gui.telling import (
     display_told,
     point_told,
 )
+from playground.gui.rays import ray_tree_panel
+from playground.gui.state import State
 from playground.gui.widgets import Ui
 from playground.scene.settings import Shading
 

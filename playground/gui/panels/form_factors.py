@@ -8,9 +8,9 @@ from imgui_bundle import imgui
 
 from playground.explain.patch_pair import PatchPair
 from playground.explain.patch_words import seen
-from playground.gui import factor_formula, factor_table, hemicube_view, nusselt_view
-from playground.gui.factor_told import FactorTold
-from playground.gui.factor_view import ONE, OTHER, FactorView
+from playground.gui.radiosity import factor_formula, factor_table, hemicube_view, nusselt_view
+from playground.gui.radiosity.factor_told import FactorTold
+from playground.gui.radiosity.factor_view import ONE, OTHER, FactorView
 from playground.gui.state import State
 from playground.gui.widgets import Ui, bare, tooltip
 from playground.scene.knob import knobs

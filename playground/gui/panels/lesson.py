@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from imgui_bundle import imgui
 
-from playground.gui import lesson_text
-from playground.gui.lesson_course import (
+from playground.gui.lesson import lesson_text
+from playground.gui.lesson.lesson_course import (
     SKIPPED,
     Course,
     answer,
@@ -18,10 +18,10 @@ from playground.gui.lesson_course import (
     open_lesson,
     read_again,
 )
-from playground.gui.lesson_pictures import LessonPictures
-from playground.gui.plots import wrapped
+from playground.gui.lesson.lesson_pictures import LessonPictures
 from playground.gui.state import State
-from playground.gui.theme import PALETTES
+from playground.gui.widget.plots import wrapped
+from playground.gui.widget.theme import PALETTES
 from playground.lesson.page import listed, plural
 from playground.lesson.parts import Figure, Goal, Question, Text, View
 from playground.lesson.prose import Block, Span

@@ -9,13 +9,16 @@ from imgui_bundle import imgui
 
 from playground.errors import PlaygroundError
 from playground.explain.texel_places import TexelPlaces
-from playground.gui import actions, atlas_view, bake_log, plots, progress_bar
-from playground.gui.atlas_look import AtlasLook
-from playground.gui.atlas_picture import fitting
-from playground.gui.atlas_pixels import around
+from playground.gui import actions
+from playground.gui.lightmap import atlas_view, bake_log
+from playground.gui.lightmap.atlas_look import AtlasLook
+from playground.gui.lightmap.atlas_picture import fitting
+from playground.gui.lightmap.atlas_pixels import around
 from playground.gui.state import LIGHTMAP, State
-from playground.gui.theme import PALETTES
+from playground.gui.widget import plots
+from playground.gui.widget.theme import PALETTES
 from playground.gui.widgets import Ui, attempt, bare, edit, tooltip
+from playground.gui.work import progress_bar
 from playground.render.lightmap.lightmap import Lightmap
 from playground.scene.knob import knobs
 

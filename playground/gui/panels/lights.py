@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from imgui_bundle import imgui
 
-from playground.gui.gizmos import tint
-from playground.gui.light_change import added, converted, exchanged, removed
+from playground.gui.picture.gizmos import tint
+from playground.gui.picture.light_change import added, converted, exchanged, removed
 from playground.gui.state import State
 from playground.gui.widgets import Ui, edit, row
 from playground.scene.knob import Knob, knobs

@@ -7,13 +7,15 @@ from math import isnan
 
 from imgui_bundle import imgui
 
-from playground.gui import needs_log, plots, progress_bar
-from playground.gui.needs_log import Dropped
-from playground.gui.needs_run import SIZE
-from playground.gui.scope_path import shaders
+from playground.gui.measure import needs_log
+from playground.gui.measure.needs_log import Dropped
+from playground.gui.measure.needs_run import SIZE
+from playground.gui.measure.scope_path import shaders
 from playground.gui.state import State
-from playground.gui.theme import PALETTES
+from playground.gui.widget import plots
+from playground.gui.widget.theme import PALETTES
 from playground.gui.widgets import Ui, edit
+from playground.gui.work import progress_bar
 from playground.measure.advice import Finding
 
 TINT = 0.35  # how strongly a proposed row has the colour of what is chosen

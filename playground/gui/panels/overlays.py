@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from imgui_bundle import imgui
 
-from playground.gui.overlay_knobs import Overlays
+from playground.gui.picture.overlay_knobs import Overlays
 from playground.gui.state import State
 from playground.gui.widgets import fits, tooltip
 from playground.scene.knob import knobs

@@ -8,12 +8,14 @@ from dataclasses import replace
 import numpy as np
 from imgui_bundle import imgui, implot
 
-from playground.gui import plots, progress_bar, scope_path
+from playground.gui.measure import scope_path
+from playground.gui.measure.scope_path import DRAWN, EXACT, Scope
 from playground.gui.same_object import kept_for_same
-from playground.gui.scope_path import DRAWN, EXACT, Scope
 from playground.gui.state import State
-from playground.gui.theme import PALETTES
+from playground.gui.widget import plots
+from playground.gui.widget.theme import PALETTES
 from playground.gui.widgets import Ui
+from playground.gui.work import progress_bar
 from playground.measure.popping import Brightness, Step, largest_jump
 
 ORDER = (*EXACT, *DRAWN)  # the reference lies below the others

@@ -6,13 +6,13 @@ from dataclasses import replace
 
 from imgui_bundle import imgui
 
-from playground.gui import plots
-from playground.gui.radiosity_keys import from_the_beginning, play_or_pause
-from playground.gui.radiosity_told import RadiosityTold
+from playground.gui.radiosity.radiosity_keys import from_the_beginning, play_or_pause
+from playground.gui.radiosity.radiosity_told import RadiosityTold
+from playground.gui.radiosity.solving import Solving
 from playground.gui.shortcuts import keys_of
-from playground.gui.solving import Solving
 from playground.gui.state import FIVE, LIGHTMAP, RADIOSITY, State
-from playground.gui.theme import PALETTES
+from playground.gui.widget import plots
+from playground.gui.widget.theme import PALETTES
 from playground.gui.widgets import Ui, edit, tooltip
 from playground.scene.knob import knobs
 from playground.scene.settings import Shading

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 from imgui_bundle import imgui
 
-from playground.gui import shader_edit as code
 from playground.gui.actions import shade
-from playground.gui.code_box import Mark, code_box
-from playground.gui.theme import PALETTES
-from playground.gui.twins import shown_name, twin_of, twin_text
+from playground.gui.shader import shader_edit as code
+from playground.gui.shader.code_box import Mark, code_box
+from playground.gui.shader.twins import shown_name, twin_of, twin_text
+from playground.gui.widget.theme import PALETTES
 from playground.gui.widgets import Ui, bare
 from playground.scene.knob import knobs
 from playground.scene.settings import Shading

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from playground.gui import snell_bench
+from playground.gui.rays import snell_bench
 from playground.gui.state import State
 from playground.gui.widgets import Ui
 

@@ -6,12 +6,14 @@ from dataclasses import replace
 
 from imgui_bundle import imgui
 
-from playground.gui import energy_bars, plots, progress_bar, race_log, race_plot
-from playground.gui.race_log import Lane, RaceLog
-from playground.gui.solver_colours import COLOURS
+from playground.gui.radiosity import energy_bars, race_log, race_plot
+from playground.gui.radiosity.race_log import Lane, RaceLog
+from playground.gui.radiosity.solver_colours import COLOURS
 from playground.gui.state import State
-from playground.gui.theme import PALETTES
+from playground.gui.widget import plots
+from playground.gui.widget.theme import PALETTES
 from playground.gui.widgets import Ui, edit
+from playground.gui.work import progress_bar
 from playground.measure.solver_race import MOST_PATCHES
 from playground.scene.settings import SOLVERS
 

@@ -7,11 +7,13 @@ from dataclasses import replace
 import numpy as np
 from imgui_bundle import imgui, implot
 
-from playground.gui import log_axis, plots, progress_bar, speed_log
-from playground.gui.speed_log import Dot
+from playground.gui.measure import speed_log
+from playground.gui.measure.speed_log import Dot
 from playground.gui.state import State
-from playground.gui.theme import PALETTES
+from playground.gui.widget import log_axis, plots
+from playground.gui.widget.theme import PALETTES
 from playground.gui.widgets import Ui, attempt
+from playground.gui.work import progress_bar
 from playground.scene.settings import Shading
 
 HEIGHT = 14.0  # of the plot, in heights of the text

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from imgui_bundle import imgui
 
-from playground.gui.formulas import formula
+from playground.gui.picture.formulas import formula
 from playground.gui.state import State
 from playground.gui.widgets import LABELS, Ui, attempt, bare, edit, tooltip
 from playground.scene.knob import knobs

@@ -8,10 +8,10 @@ from itertools import pairwise
 from imgui_bundle import imgui
 
 from playground.explain.colour_map import VIRIDIS
-from playground.gui import plots
+from playground.gui.rays.traced_aside import MOST
 from playground.gui.state import TRACED, State
-from playground.gui.theme import PALETTES
-from playground.gui.traced_aside import MOST
+from playground.gui.widget import plots
+from playground.gui.widget.theme import PALETTES
 from playground.gui.widgets import Ui, edit
 from playground.render.trace.bvh import bvh_of
 from playground.scene.scene import Object

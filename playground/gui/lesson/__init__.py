@@ -1,0 +1,1 @@
+"""A lesson beside the live scene: its text, its formulas, its goals."""

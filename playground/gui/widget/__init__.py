@@ -1,0 +1,1 @@
+"""What panels are made of: sliders from knobs, symbols of the lecture, axes and colours."""

@@ -1,0 +1,66 @@
+"""One thing that a thread computes, always for what was asked last."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator
+from typing import Generic, TypeVar
+
+from playground.errors import PlaygroundError
+from playground.gui.work.aside import Aside
+
+Item = TypeVar("Item")
+
+
+class Latest(Generic[Item]):
+    """The newest item of a question: each better than the one before, or the only one.
+
+    Until there is one, the item of the question before stays.
+    """
+
+    def __init__(self) -> None:
+        self.item: Item | None = None
+        self.error = ""
+        self._asked: object = None
+        self._aside: Aside[Item] | None = None
+
+    def ask(
+        self, question: object, items: Callable[[], Generator[Item, None, None]]
+    ) -> Item | None:
+        """The newest item for ``question``; another question makes ``items`` anew."""
+        self._take()
+        if question != self._asked and self._aside is not None:
+            self._aside.stop()
+        if question != self._asked and not self.working:
+            self._asked, self.error = question, ""
+            self._aside = Aside(items())
+        return self.item
+
+    @property
+    def working(self) -> bool:
+        """Whether a better item may come."""
+        return self._aside is not None and self._aside.working
+
+    def rest(self) -> None:
+        """Nothing is asked for any more; what is being made is left to end by itself."""
+        if self._aside is not None:
+            self._aside.stop()
+        self.item, self._asked, self._aside, self.error = None, None, None, ""
+
+    def close(self) -> None:
+        """Stop, and wait a little for the thread."""
+        if self._aside is not None:
+            self._aside.close()
+        self.rest()
+
+    def _take(self) -> None:
+        if self._aside is None:
+            return
+        for item in self._aside.take():
+            self.item = item
+        error = self._aside.error
+        if isinstance(error, PlaygroundError):
+            self.item, self.error = None, str(error)
+        elif error is not None:
+            raise error
+        if not self._aside.working:
+            self._aside = None
