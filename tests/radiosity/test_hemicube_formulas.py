@@ -6,7 +6,12 @@ import pytest
 
 from playground.errors import PlaygroundError
 from playground.render.gl import probe
-from playground.render.radiosity.factor.hemicube_view import delta_form_factors, faces_of, unfolded
+from playground.render.radiosity.factor.hemicube_view import (
+    delta_form_factors,
+    faces_of,
+    mended,
+    unfolded,
+)
 from playground.shading import hemicube
 from playground.shading.area_light import form_factor
 from tests.parity.test_parity import U, assert_close, f32
@@ -80,6 +85,20 @@ def test_the_faces_look_five_ways_and_turn_alike():
     assert ahead == [[0, 0, 1], [1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]]
     assert all(a[1].tolist() == [0, 0, 1] for a in axes[1:])
     assert all(np.linalg.det(a) == pytest.approx(1.0, abs=1e-15) for a in axes)
+
+
+def test_a_pixel_of_nothing_is_mended_only_among_patches():
+    column = np.tile(np.arange(1, 9), (24, 1))  # N = 8: the top is 8 rows, each side 4
+    lost = column.copy()
+    lost[3, 1] = lost[9, 4] = 0  # alone: on the top, and on the first side
+    assert mended(lost)[3, 1] == 1
+    assert mended(lost)[9, 4] == 4
+    assert np.count_nonzero(mended(lost) != column) == 2
+    for kept in ((slice(3, 5), 1), (0, 3), (7, 3), (8, 3), (11, 3), (23, 3), (3, 0), (3, 7)):
+        column[:] = np.arange(1, 9)
+        column[kept] = 0  # two together, or at the border of a face
+        assert np.array_equal(mended(column), column)
+    assert mended(np.ones((24, 8), dtype=np.uint16)).dtype == np.uint16
 
 
 def test_unfolded_the_faces_meet_at_the_edges_of_the_top():

@@ -24,6 +24,7 @@ from playground.render.radiosity.factor.hemicube_view import (
     Triangulation,
     delta_form_factors,
     drawn_pieces,
+    mended,
     row_sums,
     stands,
     triangulation,
@@ -132,7 +133,7 @@ class Hemicubes:
         Of hemicubes with occlusion only.
         """
         self._draw(stands(self._patches, [patch], self._rotate), slice(0, 1))
-        return np.array(self._target.read(1)[0])
+        return np.array(mended(self._target.read(1)[0]))
 
     def _rows(self, stand: Stands, part: slice) -> Array:
         count = part.stop - part.start

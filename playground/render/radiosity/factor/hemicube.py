@@ -18,6 +18,7 @@ from playground.render.radiosity.factor.hemicube_view import (
     Triangulation,
     delta_form_factors,
     drawn_pieces,
+    mended,
     row_sums,
     stands,
     triangulation,
@@ -115,7 +116,7 @@ class Hemicubes:
         them.
         """
         stand = stands(self._patches, [patch], self._rotate)
-        return np.asarray(self._scene.items(stand, self._deltas.shape[1])[0])
+        return np.asarray(mended(self._scene.items(stand, self._deltas.shape[1])[0]))
 
 
 class _Scene:

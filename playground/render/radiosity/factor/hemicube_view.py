@@ -182,8 +182,31 @@ def row_sums(items: NDArray[np.integer], deltas: Array, count: int) -> Array:
     """Form factors (K, N) from the item buffers of K hemicubes, (K, 3R, R)."""
     weights, rows = deltas.ravel(), np.empty((len(items), count))
     for row, item in zip(rows, items, strict=True):
-        row[:] = np.bincount(item.ravel(), weights, minlength=count + 1)[1:]
+        row[:] = np.bincount(mended(item).ravel(), weights, minlength=count + 1)[1:]
     return rows
+
+
+def mended(item: NDArray[np.integer]) -> NDArray[np.integer]:
+    """An item buffer (3N, N) without the single pixels that rounding has taken from silhouettes.
+
+    Along a silhouette the front and the back of a solid end at the same edge, and a pixel whose
+    centre lies on it may get the back alone: 0, though only patches are around it. It goes to
+    its left neighbour. Without this one row of 2,376 in the box with two blocks sums to 1 - 3e-4.
+    """
+    row, column = np.nonzero(item == 0)
+    if len(row) == 0:
+        return item
+    size = item.shape[1]
+    high = np.where(row < size, size, size // 2)
+    within = np.where(row < size, row, (row - size) % (size // 2))
+    inner = (column > 0) & (column < size - 1) & (within > 0) & (within < high - 1)
+    row, column = row[inner], column[inner]
+    left, right = item[row, column - 1], item[row, column + 1]
+    below, above = item[row - 1, column], item[row + 1, column]
+    lost = (left > 0) & (right > 0) & (below > 0) & (above > 0)
+    whole = item.copy()
+    whole[row[lost], column[lost]] = left[lost]
+    return whole
 
 
 def faces_of(column: NDArray[np.generic]) -> list[NDArray[np.generic]]:
