@@ -125,7 +125,9 @@ def _index(text: str, count: int, section: str) -> int:
 
 
 def _number(text: str) -> float | str:
+    """A number as it was written: what is wrong with it will be told in the same digits."""
     try:
-        return float(text)
+        number = float(text)
     except ValueError:
         return text.strip()
+    return int(number) if text.strip().lstrip("+-").isdecimal() and abs(number) < 1e15 else number
