@@ -41,15 +41,26 @@ class Progress:
 Steps = Generator[Progress, None, Result]
 
 
-def advise(setup: Setup, budget: float = 0.01, metric: str = "rmse", **more: Any) -> Advice:
-    """The advice for ``setup``, all at once; takes what `advising` takes."""
-    steps = advising(setup, budget, metric, **more)
-    while True:
-        try:
-            next(steps)
-        except StopIteration as end:
-            advice: Advice = end.value
-            return advice
+def advise(
+    setup: Setup,
+    budget: float = 0.01,
+    metric: str = "rmse",
+    watch: Callable[[Progress], object] | None = None,
+    **more: Any,
+) -> Advice:
+    """The advice for ``setup``, when `advising`, which takes the same, has come to its end.
+
+    ``watch`` is called with the progress after every picture or two.
+    """
+    with closing(advising(setup, budget, metric, **more)) as steps:
+        while True:
+            try:
+                progress = next(steps)
+            except StopIteration as end:
+                advice: Advice = end.value
+                return advice
+            if watch is not None:
+                watch(progress)
 
 
 def advising(

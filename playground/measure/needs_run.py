@@ -13,7 +13,7 @@ from typing import Any
 from playground.errors import PlaygroundError
 from playground.files import make_folder, write_whole
 from playground.measure.advice import Advice
-from playground.measure.advisor import Progress, advising
+from playground.measure.advisor import Progress, advise
 from playground.scene.setup import Setup
 from playground.scene.setup_file import save
 
@@ -25,12 +25,12 @@ def run_needs(setup: Setup, output: Path | None, as_json: bool, **asked: Any) ->
     """Advise on ``setup``, print what was found, write the proposal; the exit status.
 
     ``output`` is a .toml for the proposed setup, or a folder for everything: the setup, the
-    table, the JSON document and the two pictures. ``asked`` goes to `advising`.
+    table, the JSON document and the two pictures. ``asked`` goes to `advise`.
 
     Raises
     ------
     PlaygroundError
-        What `advising` refuses, and a place that cannot be written: before it is measured.
+        What `advise` refuses, and a place that cannot be written: before it is measured.
     """
     if output is not None:
         _check_place(output)
@@ -46,20 +46,17 @@ def run_needs(setup: Setup, output: Path | None, as_json: bool, **asked: Any) ->
 
 def _measured(setup: Setup, asked: dict[str, Any]) -> Advice:
     """Run the advisor to its end, with a bar where a person looks on."""
-    steps, began = advising(setup, **asked), perf_counter()
-    watched = sys.stderr is not None and sys.stderr.isatty()
+    if sys.stderr is None or not sys.stderr.isatty():
+        return advise(setup, **asked)
+    began = perf_counter()
+
+    def show(progress: Progress) -> None:
+        print(f"\r{bar(progress, perf_counter() - began):<{LINE}}", end="", file=sys.stderr)
+
     try:
-        while True:
-            progress = next(steps)
-            if watched:
-                print(f"\r{bar(progress, perf_counter() - began):<{LINE}}", end="", file=sys.stderr)
-    except StopIteration as end:
-        advice: Advice = end.value
-        return advice
+        return advise(setup, watch=show, **asked)
     finally:  # also when it is stopped or fails
-        if watched:
-            print(f"\r{'':<{LINE}}\r", end="", file=sys.stderr, flush=True)
-        steps.close()
+        print(f"\r{'':<{LINE}}\r", end="", file=sys.stderr, flush=True)
 
 
 def bar(progress: Progress, seconds: float) -> str:

@@ -8,7 +8,7 @@ from playground.measure.experiments import find
 from playground.measure.experiments.bvh import flat
 from playground.measure.experiments.offset import METHODS, OURS, judged, leaving
 from playground.measure.experiments.rays import FLOOR, PICTURE, RATE, hit_errors
-from playground.measure.ray_rates import ray_kinds
+from playground.measure.ray_kinds import ray_kinds
 from playground.measure.room_floor import RoomFloor, room_setup, swayed
 from playground.render.renderer import render
 from playground.render.trace import walk
@@ -63,12 +63,14 @@ def test_rays():
         rate("GL", 4.0, "primary rays"),
         rate("GL", 3.0, "shadow rays"),
         rate("NumPy", 0.25, "primary rays"),
+        rate("Mitsuba", 20.0, "shadow rays"),
         row("GL", 1.0, 0.0, "room, small", ratio=1.5, more={PICTURE: 18.0}),
         row("NumPy", 9.0, 0.0, "room, small", more={PICTURE: 900.0}),
     ]
     assert finding("rays", *rows) == (
         "GL: 4 primary rays and 3 shadow rays per second, in millions; "
         "NumPy: 0.25 primary rays per second, in millions; "
+        "Mitsuba: 20 shadow rays per second, in millions; "
         "room, small: GL takes 18 ms, 1.5 times the time of the shader written by hand; "
         "NumPy 900 ms."
     )

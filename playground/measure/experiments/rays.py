@@ -12,8 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.measure.experiments.sentences import listed, of, sentence, times
+from playground.measure.peer_mitsuba import INSTALLED as MITSUBA_INSTALLED
+from playground.measure.peer_mitsuba import NAME as MITSUBA
+from playground.measure.peer_mitsuba import mitsuba_asked
 from playground.measure.pictures import picture, picture_errors, timed
-from playground.measure.ray_rates import Rays, bumpy_ball, ray_kinds
+from playground.measure.ray_kinds import Rays, bumpy_ball, ray_kinds
 from playground.measure.record import Batch, Candidate, Errors, Experiment, Timer
 from playground.measure.room_floor import DEPTH, RoomFloor, room_setup, swayed
 from playground.measure.rows import Row, cases
@@ -37,6 +40,7 @@ REFERENCE = "NumPy in float64"
 WALKERS: dict[str, Walker] = {"NumPy": walk}
 if find_spec("embreex"):
     WALKERS["Embree"] = embree
+BACKENDS = ("GL", *WALKERS, *([MITSUBA] if MITSUBA_INSTALLED else []))
 Size = tuple[int, int]
 
 
@@ -44,7 +48,7 @@ def groups(quick: bool) -> Iterator[list[Candidate]]:
     """Each kind of ray in the mesh, then the room, by both backends in turn."""
     size = QUICK_SIZE if quick else SIZE
     for kind in KINDS:
-        yield [_mesh(kind, method, size) for method in ("GL", *WALKERS)]
+        yield [_mesh(kind, method, size) for method in BACKENDS]
     yield [_room(FLOOR, size), _room("GL", size), _room("NumPy", size)]
 
 
@@ -58,9 +62,12 @@ def _ball() -> Any:
     return bumpy_ball()
 
 
-def _asked(kind: str, size: Size, walker: Walker = walk) -> Callable[[], NDArray[np.float64]]:
+def _asked(kind: str, size: Size, method: str = "NumPy") -> Callable[[], NDArray[np.float64]]:
     """What the CPU does: t of each ray; of shadow rays 1 if blocked, −1 if not."""
     rays, bvh = _rays(size)[kind], bvh_of(_ball())
+    if method == MITSUBA:
+        return mitsuba_asked(_ball(), rays)
+    walker = WALKERS[method]
     given = rays.origin, rays.direction, rays.limit
     if rays.any_hit:
         return lambda: np.where(walker.blocked(bvh, *given), 1.0, -1.0)
@@ -80,13 +87,13 @@ def _mesh(kind: str, method: str, size: Size) -> Candidate:
             stack.callback(batch.release)
             run: Callable[[], object] = batch.run
         else:
-            run = _asked(kind, size, WALKERS[method])
+            run = _asked(kind, size, method)
         return _rates(run, len(_rays(size)[kind].origin), method, {})
 
     def errors() -> Errors:
         want = _asked(kind, size)()
         if method != "GL":
-            return hit_errors(_asked(kind, size, WALKERS[method])(), want)
+            return hit_errors(_asked(kind, size, method)(), want)
         batch = _batch(kind, size)
         batch.run()
         t, triangle, _ = batch.hits()
@@ -164,7 +171,7 @@ def finding(rows: list[Row]) -> str:
     """Rates of each kind by each backend, and the room beside the shader written by hand."""
     parts = []
     meshes = [case for case in cases(rows) if not case.startswith(ROOM)]
-    for method in ("GL", *WALKERS):
+    for method in ("GL", "NumPy", "Embree", MITSUBA):
         found = [of([r for r in rows if r.case == case], method) for case in meshes]
         rates = [f"{r[0].more[RATE]:.3g} {r[0].case}" for r in found if r]
         if rates:

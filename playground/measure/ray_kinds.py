@@ -1,24 +1,19 @@
-"""How many rays per second go through the tree of one mesh: on the GPU, and in NumPy.
+"""Rays of three kinds through the tree of one mesh, whose speed is measured.
 
-Three kinds: primary rays, which go side by side; shadow rays from what those hit to a
+They are primary rays, which go side by side; shadow rays from what those hit to a
 point light, which only ask whether anything is in the way; diffuse rays, which leave the
 same points in all directions.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from statistics import median
-from time import perf_counter
 
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.render.gl.context import headless
-from playground.render.gl.trace.ray_batch import RayBatch
 from playground.render.trace import walk
-from playground.render.trace.bvh import Bvh, bvh_of
+from playground.render.trace.bvh import Bvh
 from playground.scene.mesh import Mesh
 from playground.scene.shapes_curved import icosphere
 
@@ -81,35 +76,3 @@ def ray_kinds(bvh: Bvh, size: tuple[int, int]) -> list[Rays]:
         Rays("shadow", point, to_light, np.ones(len(point)), True),
         Rays("diffuse", point, normal + ball, np.full(len(point), np.inf), False),
     ]
-
-
-def ray_rates(
-    mesh: Mesh, size: tuple[int, int] = (640, 480), repeats: int = 9
-) -> Iterator[tuple[str, str, float]]:
-    """(kind, backend, million rays per second), the median of the repeats, one after another.
-
-    Raises
-    ------
-    NoDriverError
-        There is no GL.
-    """
-    bvh = bvh_of(mesh)
-    for rays in ray_kinds(bvh, size):
-        count, given = len(rays.origin), (rays.origin, rays.direction, rays.limit)
-        batch = RayBatch(headless(), bvh, *given, any_hit=rays.any_hit)
-        batch.run()  # what a driver puts off until the first draw
-        yield rays.kind, "gl", count / _seconds(batch.run, repeats) / 1e6
-        batch.release()
-        ask: Callable[..., object] = walk.blocked if rays.any_hit else walk.closest
-        seconds = _seconds(lambda: ask(bvh, *given), max(repeats // 3, 1))  # noqa: B023
-        yield rays.kind, "numpy", count / seconds / 1e6
-
-
-def _seconds(run: Callable[[], object], repeats: int) -> float:
-    """The median time of a call."""
-    times = []
-    for _ in range(repeats):
-        start = perf_counter()
-        run()
-        times.append(perf_counter() - start)
-    return median(times)

@@ -1,12 +1,10 @@
 """The rays that are measured are those that the table names."""
 
 import numpy as np
-import pytest
 
-from playground.measure.ray_rates import bumpy_ball, ray_kinds, ray_rates
+from playground.measure.ray_kinds import bumpy_ball, ray_kinds
 from playground.render.trace import walk
 from playground.render.trace.bvh import bvh_of
-from playground.scene.shapes import make
 
 
 def test_kinds_of_rays():
@@ -22,11 +20,3 @@ def test_kinds_of_rays():
     assert 0.0 < np.mean(dark) < 0.7
     # Leaving the surface outwards, few diffuse rays of a nearly round ball meet it again.
     assert np.mean(walk.blocked(bvh, diffuse.origin, diffuse.direction, diffuse.limit)) < 0.3
-
-
-@pytest.mark.gl
-def test_rates_of_both_backends(gl):
-    found = list(ray_rates(make("torus"), (32, 24), repeats=1))
-    kinds = ["primary", "shadow", "diffuse"]
-    assert [row[:2] for row in found] == [(k, b) for k in kinds for b in ("gl", "numpy")]
-    assert all(rate > 0.0 for *_, rate in found)
