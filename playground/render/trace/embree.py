@@ -8,7 +8,9 @@ passes a silhouette within a rounding of float32.
 
 from __future__ import annotations
 
+import os
 import weakref
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -28,6 +30,7 @@ Floats = NDArray[np.float64]
 # that still meet what they left, at a grazing angle, are told by their t in float64.
 NEAREST = 32.0 * float(np.finfo(np.float32).eps)
 FARTHEST = 1e38  # a t that float32 can hold
+PART = 2**15  # rays that a thread takes at a time: what is computed of them fits into its cache
 
 _scenes: weakref.WeakKeyDictionary[Bvh, Any] = weakref.WeakKeyDictionary()
 
@@ -80,13 +83,28 @@ def _meet(
     if bvh.nodes == 0 or len(start) == 0:
         none = np.full(len(start), -1, dtype=np.int32)
         return none, np.full(len(start), NO_HIT), np.zeros((len(start), 3))
+    scene = _scene(bvh)
+    count = -(-len(start) // PART)
+    if count == 1:
+        return _meet_part(scene, bvh, start, along, reach)
+    given = [np.array_split(rays, count) for rays in (start, along, reach)]
+    with ThreadPoolExecutor(os.cpu_count()) as threads:  # Embree and NumPy let others run
+        found = list(threads.map(lambda *part: _meet_part(scene, bvh, *part), *given))
+    slot, t, weights = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    return slot, t, weights
+
+
+def _meet_part(
+    scene: Any, bvh: Bvh, start: Floats, along: Floats, reach: Floats
+) -> tuple[NDArray[np.int32], Floats, Floats]:
+    """`_meet` for as many rays as one thread takes."""
     largest = max(float(np.abs(bvh.low[0]).max()), float(np.abs(bvh.high[0]).max()))
     size = np.maximum(np.abs(start).max(axis=1), largest)
     later = NEAREST * size / np.abs(along).max(axis=1)
     ahead = (start + later[:, None] * along).astype(np.float32)
     far = np.clip(reach - later, 0.0, FARTHEST)
     far = np.nextafter(far.astype(np.float32), np.float32(np.inf))
-    found = _scene(bvh).run(ahead, along.astype(np.float32), dists=far, output=True)
+    found = scene.run(ahead, along.astype(np.float32), dists=far, output=True)
     slot = np.asarray(found["primID"], dtype=np.int32)
     met = np.flatnonzero(slot >= 0)
     t, weights = np.full(len(start), NO_HIT), np.zeros((len(start), 3))
