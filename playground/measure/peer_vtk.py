@@ -1,7 +1,7 @@
 """VTK on the same picture, in a process of its own (two GL users in one do not mix).
 
 ``python -m playground.measure.peer_vtk`` reads lines ``TRIANGLES SAMPLES FRAMES`` and
-answers each with a JSON list of milliseconds. Needs the extra ``reports`` (``pip install -e ".[reports]"``).
+answers each with a JSON list of milliseconds. Needs the extra ``reports``.
 """
 
 from __future__ import annotations
