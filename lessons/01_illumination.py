@@ -30,7 +30,7 @@ show(
 # ## Local illumination
 #
 # *Illumination*, or lighting, is how light and objects come together. The simple kind is *local*:
-# what a point of a surface looks like depends only on the lights, on its own material, and on
+# what a point of a surface looks like depends only on the lights, on the surface itself, and on
 # where the eye is. No other surface counts.
 
 # %%
@@ -63,7 +63,8 @@ show(
 # %% [markdown] tags=["notes"]
 # Let the class list what is missing before the next step: shadows, mirror images, refraction, and
 # the light that the coloured walls should throw on the floor. Somebody may ask for the shadow of
-# the glass ball: our shadow rays go straight through glass, which lesson 12 comes back to.
+# the glass ball: our shadow rays go straight through glass, which lesson 12 comes back to. The blue
+# in the mirror is the background: the room has no fourth wall.
 
 # %% [markdown] slides=[2] minutes=5
 # ## Global illumination
@@ -108,8 +109,8 @@ predict(
     "2: to the glass, and through it",
     "about 10",
     answer="about 10",
-    why="At each surface of glass a ray splits in two, a reflected and a refracted one, and "
-    "where one meets a wall it sends a shadow ray to the lamp.",
+    why="Each time a ray meets the glass it splits in two, a reflected and a refracted one; and "
+    "from every surface that faces the lamp a shadow ray asks whether the lamp is seen there.",
 )
 
 # %%
@@ -136,7 +137,8 @@ show(room, method="ray-tracing", pixel=(330 / 480, 240 / 360), panel="Explain")
 # %% [markdown] minutes=2
 # ## Try this
 #
-# A ball on a floor, ray traced without mirrors: all that is global here is the shadow.
+# A ball on a floor, ray traced without mirrors: all that is global here is the shadow. Unfold the
+# lamp in the panel Lights: there is its position.
 
 # %%
 floor = pg.Object(mesh="quad", transform=pg.Transform(translate=(0, -1, 0), size=5))
@@ -158,7 +160,10 @@ def shadow(setup):
 show(ball, method="ray-tracing", panel="Lights")
 goal(
     "Hide the shadow: move the lamp until local illumination would be as good.",
-    reached=lambda setup: shadow(setup) < 0.002,
-    hint="Whatever the lamp cannot see is in shadow. From where does it see just what you see?",
+    reached=lambda setup: (
+        shadow(setup) < 0.003 and pg.render(setup, (120, 90)).pixels.max() > 0.3  # the lamp is on
+    ),
+    hint="Whatever the lamp cannot see is in shadow. From where does it see just what you see? "
+    "Your eye is at (0, 1.5, 7).",
     solution=ball.with_(lights=[pg.PointLight(position=(0, 1.5, 7))]),
 )

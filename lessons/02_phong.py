@@ -12,6 +12,7 @@ import playground as pg
 from playground.lesson import figure, goal, number, plot, predict, show
 
 WAYS = {"flat": "flat", "Gouraud": "per-vertex", "Phong": "per-fragment"}  # who, and where
+show(pg.load("sphere").with_(tessellation=12, shading="flat"), panel="View")
 
 # %% [markdown] slides=[3] minutes=2
 # ## A life in dates

@@ -20,6 +20,8 @@ def lit_from(setup, angle, **changes):
 
 
 field = pg.load("quad").with_(diffuse=(0.9, 0.85, 0.7), eye=(0, 3, 2), target=(0, 0, 0))
+chalk = lit_from(pg.load("sphere"), -90, diffuse=(0.9, 0.9, 0.9), background=(0.05, 0.05, 0.1))
+show(chalk)
 
 # %% [markdown] slides=[4] minutes=4
 # ## The same light on a larger ground
@@ -55,7 +57,7 @@ def brightness(angle):
 # float32 on the GPU: 1e-6 is ample for a cosine and a product.
 number("at_60", brightness(60), expected=0.5, tolerance=1e-6)
 number("at_30", brightness(30), expected=np.cos(np.radians(30)), tolerance=1e-6)
-show(lit_from(field, 60), pixel=(0.5, 0.5))
+show(lit_from(field, 60), pixel=(0.5, 0.5), panel="Lights")
 
 # %% [markdown]
 # At 60° the field has {at_60:.2f} of its brightness at noon, at 30° still {at_30:.2f}: the
@@ -84,8 +86,11 @@ plot(
     shows=lambda law, seen: np.allclose(seen, np.maximum(law, 0), atol=1e-6) and min(law) < -0.99,
 )
 number("deepest", min(cosine), expected=-1, tolerance=1e-12)
+show(lit_from(field, 85), pixel=(0.5, 0.5), panel="Lights")
 
 # %% [markdown]
+# In the window the sun has almost set; let it sink farther in the panel Lights.
+#
 # A light behind the surface would make $n \cdot l$ negative, down to {deepest:.0f}, and take
 # light away that others have brought. So the lecture cuts it off:
 #
@@ -98,9 +103,10 @@ number("deepest", min(cosine), expected=-1, tolerance=1e-12)
 # ## From wherever you look
 
 # %%
+show(chalk.with_(eye=(0, 0, 3.4)))
 predict(
-    "A ball of chalk, lit from the left. You walk around it by 90°. The same spot of chalk, seen "
-    "from there, is",
+    "A ball of chalk, lit from the left. You walk 90° around it, to the left, and keep your eye on "
+    "one spot of the lit side. Seen from there, the spot is",
     "darker, since you see it at a slant",
     "as bright as before",
     "brighter, as you are nearer to the light",
@@ -109,10 +115,8 @@ predict(
     "no $v$.",
 )
 
+
 # %%
-chalk = lit_from(pg.load("sphere"), -90, diffuse=(0.9, 0.9, 0.9), background=(0.05, 0.05, 0.1))
-
-
 def seen_from(angle):
     """The ball of chalk from an eye that has walked around it."""
     angle = np.radians(angle)
@@ -147,14 +151,15 @@ show(seen_from(0))
 # brightness: the diffuse term is view-independent.
 
 # %% [markdown] tags=["notes"]
-# "Darker at a slant" is what a small lamp would do. A slanted piece of surface looks smaller by the
-# cosine, and sends less light that way by the same cosine: the two cancel.
+# "Darker at a slant": the piece of surface does send less light at a slant, by the cosine. But it
+# looks smaller by the same cosine, so that the two cancel. "Equal intensity", in the words of the
+# lecture, means equal brightness to the eye, which physics calls radiance.
 
 # %% [markdown] minutes=3
 # ## Try this
 #
-# Turn the light in the panel Lights, or move the camera. The lit part of the ball wanes like
-# the moon.
+# Unfold the light in the panel Lights and turn it, or move the camera. The lit part of the ball
+# wanes like the moon.
 
 
 # %%
@@ -164,12 +169,12 @@ def lit_share(setup):
     return np.mean(picture.pixels.max(axis=2) > 0.01) / max(np.mean(picture.coverage), 1e-9)
 
 
-show(seen_from(0))
+show(seen_from(0), panel="Lights")
 goal(
     "Make a crescent: at most a fifth of the ball is lit, but not none of it.",
     reached=lambda setup: 0.01 < lit_share(setup) < 0.2,
-    hint=r"Of the disc is lit $(1 + \cos\varphi)/2$, with $\varphi$ the angle between light and "
-    "eye, as seen from the ball.",
+    hint=r"The lit share of the disc is $(1 + \cos\varphi)/2$, where $\varphi$ is the angle "
+    "between light and eye, as seen from the ball.",
     solution=seen_from(50),
 )
 goal(

@@ -33,37 +33,7 @@ def across(light):
     return pg.render(on_floor(light), (WIDE, WIDE)).pixels[WIDE // 2, :, 0]
 
 
-# %% [markdown] slides=[4] minutes=2
-# ## What each of them knows
-#
-# - A **directional** light has a direction and nothing else: the light vector $l$ is the same at
-#   all points. That is the sun, so far away that where you stand makes no difference.
-# - A **point** light has a position $q$. At a point $p$ of a surface, $l$ is the direction from
-#   $p$ to $q$, and there is a distance $d$ between them. That is a bulb.
-# - A **spot** light has a position as well, and an axis and a cone around it, outside of which it
-#   is dark. That is a torch.
-# - An **area** light has an outline. There is not one $l$ but as many as the outline has points,
-#   and what they bring must be summed. That is a window.
-
-# %%
-predict(
-    "A large flat floor without any shadow. Which of the four lights it evenly, everywhere alike?",
-    "the directional light",
-    "the point light, straight above its middle",
-    "the area light: it is soft",
-    answer="the directional light",
-    why="From one place of the floor to another only the position changes, and the directional "
-    "light is the only one of them that does not ask for it.",
-)
-
-# %%
 sun = pg.DirectionalLight(to_light=(0, 1, 0))
-bulb = pg.PointLight(position=(0, 2, 0))
-torch = pg.SpotLight(position=(0, 2, 0), axis=DOWN, inner_angle=20, outer_angle=30)
-window = pg.RectangleLight(
-    position=(0, 2, 0), facing=DOWN, width=2, height=2, diffuse=(4, 4, 4), visible=False
-)
-kinds = {"directional": sun, "point": bulb, "spot": torch, "area": window}
 clay = pg.Material(diffuse=(0.9, 0.5, 0.3), specular=NONE, ambient=(0.9, 0.5, 0.3))
 grey = pg.Material(diffuse=(0.8, 0.8, 0.8), specular=NONE, ambient=(0.8, 0.8, 0.8))
 table = on_floor(sun).with_(
@@ -79,6 +49,40 @@ table = on_floor(sun).with_(
     terms=["diffuse", "ambient"],
 )
 table = table.with_(eye=(0, 3.4, 6), target=(0, 0.1, 0), up=(0, 1, 0), fov=34)
+show(table, panel="Lights")
+
+
+# %% [markdown] slides=[4] minutes=2
+# ## What each of them knows
+#
+# - A **directional** light has a direction and nothing else: the light vector $l$ is the same at
+#   all points. That is the sun, so far away that where you stand makes no difference.
+# - A **point** light has a position $q$. At a point $p$ of a surface, $l$ is the direction from
+#   $p$ to $q$, and there is a distance $d$ between them. That is a bulb.
+# - A **spot** light has a position as well, and an axis and a cone around it, outside of which it
+#   is dark. That is a torch.
+# - An **area** light has an outline. There is not one $l$ but as many as the outline has points,
+#   and what they bring must be summed. That is a window.
+
+# %%
+predict(
+    "A large flat floor without any shadow. Under which of the four is it equally bright "
+    "everywhere?",
+    "the directional light",
+    "the point light, straight above its middle",
+    "the area light: it is soft",
+    answer="the directional light",
+    why="From one place of the floor to another only the position changes, and the directional "
+    "light is the only one of them that does not ask for it.",
+)
+
+# %%
+bulb = pg.PointLight(position=(0, 2, 0))
+torch = pg.SpotLight(position=(0, 2, 0), axis=DOWN, inner_angle=20, outer_angle=30)
+window = pg.RectangleLight(
+    position=(0, 2, 0), facing=DOWN, width=2, height=2, diffuse=(4, 4, 4), visible=False
+)
+kinds = {"directional": sun, "point": bulb, "spot": torch, "area": window}
 four = [pg.render(table.with_(lights=[light]), (174, 116)) for light in kinds.values()]
 row = (58, slice(36, 87))  # of the floor, from near its left edge to its middle
 
@@ -193,8 +197,8 @@ predict(
     "2.00 m",
     "2.31 m",
     answer="2.31 m",
-    why=r"30° are counted from the axis, so the radius is $2 \tan 30^\circ$ = 1.15 m. Whoever "
-    "forgets the other half of the cone gets that.",
+    why=r"30° are counted from the axis, so the radius is $2 \tan 30^\circ$ = 1.15 m, and the "
+    "other half of the cone has as much. 2.00 m comes of taking the sine for the tangent.",
 )
 
 # %%
@@ -228,6 +232,8 @@ show(table.with_(lights=[torch]), panel="Lights")
 # tiny flat lamp of the same power in the middle of its place?
 
 # %%
+lamp = pg.RectangleLight(position=(0, 1, 0), facing=DOWN, width=2, height=2, visible=False)
+show(table.with_(lights=[lamp]), panel="Lights")
 predict(
     "In the middle of the table, straight below, the tiny lamp makes it",
     "as bright as the large one does",
@@ -238,10 +244,8 @@ predict(
     "one is farther away, and its light leaves and arrives at a slant.",
 )
 
+
 # %%
-lamp = pg.RectangleLight(position=(0, 1, 0), facing=DOWN, width=2, height=2, visible=False)
-
-
 def by_points(n):
     """The table under n × n small lamps that share the area of the large one.
 
@@ -277,7 +281,8 @@ number("ratio", off[8] / off[16], expected=4, tolerance=0.1)  # the midpoint rul
 # One tiny lamp makes it {one:.1f} times as bright as it should be. With 16 small lamps the error
 # is {off_16:.1f} %, with 64 it is {off_64:.1f} %, with 256 it is {off_256:.1f} %: four times the
 # lamps for a quarter of the error. What they come to is an *integral* over the lamp, {area:.3f},
-# and for flat lamps it has a formula, which Lambert found in 1760. This program uses it.
+# and for flat lamps with straight edges it has a formula, which Lambert found in 1760. This program
+# uses it.
 #
 # Most of all, one sees the difference in a highlight.
 
@@ -331,13 +336,13 @@ show(glossy.with_(lights=[panel]), panel="Lights")
 # A bulb that stands for a piece of a lamp should also weaken by the cosine at the lamp, which a
 # point light does not know. Here the panel faces the ball, and it hardly matters. Nothing casts
 # shadows in this lesson: soft shadows are ray tracing, lesson 12. Of an area light, $s_d$ is what
-# each point of it sends (a radiance); from afar it is a point light with the share of
-# the sky that it covers, over π.
+# each point of it sends (a radiance). From afar it acts like a directional light of strength
+# $s_d \, \Omega / \pi$, with $\Omega$ the solid angle that it covers, in steradians.
 
 # %% [markdown] minutes=2
 # ## Try this
 #
-# A floor, a ball, and a bulb 2 m above them. All you need is in the panel Lights.
+# A floor, a ball, and a bulb 2 m above them. Unfold it in the panel Lights: all you need is there.
 
 
 # %%

@@ -1,7 +1,7 @@
 # %% [markdown] minutes=1
 # # Colours that filter: ⊗
 #
-# A lemon is yellow. Under white light. Take it into a darkroom with its red lamp, and
+# A lemon is yellow, but only under white light. Take it into a darkroom with its red lamp, and
 # it is red; a blueberry there is black. No colour sits in the lemon itself: what does?
 
 # %%
@@ -10,7 +10,7 @@ import numpy as np
 import playground as pg
 from playground.lesson import figure, goal, number, predict, show
 
-BLACK = (0, 0, 0)
+BLACK, BACKDROP = (0, 0, 0), (0.12, 0.12, 0.14)  # on which a black ball can be seen
 
 
 def lamp(colour):
@@ -20,16 +20,21 @@ def lamp(colour):
 
 def ball(material, light):
     """A matt ball under one lamp."""
-    setup = pg.load("sphere").with_(lights=[lamp(light)], diffuse=material, background=BLACK)
+    setup = pg.load("sphere").with_(lights=[lamp(light)], diffuse=material, background=BACKDROP)
     return setup.with_(terms=["diffuse"], eye=(0, 0, 6), fov=25)
 
 
 def colour(setup):
-    """The colour of the setup's brightest pixel, with its largest channel made 1."""
-    pixels = pg.render(setup, (120, 120)).pixels.reshape(-1, 3)
+    """The colour of the ball's brightest pixel, with its largest channel made 1."""
+    picture = pg.render(setup, (120, 120))
+    pixels = picture.pixels[picture.coverage == 1]
+    if not len(pixels):  # the camera looks elsewhere
+        return np.zeros(3)
     brightest = pixels[pixels.sum(axis=1).argmax()]
     return brightest / max(brightest.max(), 1e-9)
 
+
+show(ball((1, 1, 0), (1, 0, 0)), panel="Lights")
 
 # %% [markdown] slides=[5] minutes=3
 # ## White light on a yellow object
@@ -43,7 +48,7 @@ show(
     yellow,
     "White light (1, 1, 1) on a ball with $m_d$ = (1, 1, 0): yellow.",
     shows=lambda picture: (
-        picture.pixels[..., :2].max() > 0.9 and picture.pixels[..., 2].max() < 1e-6
+        picture.pixels[..., :2].max() > 0.9 and picture.pixels[picture.coverage == 1, 2].max() == 0
     ),
     pixel=(0.55, 0.4),
     panel="Explain",
@@ -60,8 +65,8 @@ for name, value, expected in zip(("red", "green", "blue"), seen, (1, 1, 0), stri
 # $$s_d \otimes m_d = (1, 1, 1) \otimes (1, 1, 0) = (1, 1, 0)$$
 #
 # where $\otimes$ multiplies component by component: red by red, green by green, blue by blue.
-# The panel Explain draws it as bars: three of the light, three of the material, three of what is
-# left.
+# Farther down the panel Explain draws it as bars: three of the light, three of the material, three
+# of what is left.
 
 # %% [markdown] tags=["notes"]
 # ⊗ is neither the dot product (which gives one number) nor the cross product (which gives a
@@ -69,8 +74,11 @@ for name, value, expected in zip(("red", "green", "blue"), seen, (1, 1, 0), stri
 
 # %% [markdown] slides=[5] minutes=3
 # ## Red light on a blue ball
+#
+# In white light this ball is blue. Now the lamp is changed for a red one.
 
 # %%
+show(ball((0, 0, 1), (1, 1, 1)), panel="Lights")
 predict(
     "A red lamp (1, 0, 0) shines on a blue ball, $m_d$ = (0, 0, 1). The ball is",
     "red",
@@ -89,9 +97,11 @@ SIZE = (200, 200)
 
 
 def filtered(light):
-    """Whether pictures have light in a channel just where the lamp and the ball both have some."""
+    """Whether balls have light in a channel just where the lamp and the ball both have some."""
     return lambda *pictures: all(
-        np.array_equal(picture.pixels.max(axis=(0, 1)) > 0.01, np.multiply(light, m) > 0)
+        np.array_equal(
+            picture.pixels[picture.coverage == 1].max(axis=0) > 0.01, np.multiply(light, m) > 0
+        )
         for picture, m in zip(pictures, materials.values(), strict=True)
     )
 
@@ -104,20 +114,21 @@ for name, light in lights.items():
         shows=filtered(light),
     )
 number("red_on_blue", colour(ball((0, 0, 1), (1, 0, 0))).max(), expected=0)
-show(pg.load("red-on-blue"), pixel=(0.5, 0.5), panel="Explain")
+show(ball((0, 0, 1), (1, 0, 0)), pixel=(0.5, 0.5), panel="Explain")
 
 # %% [markdown]
-# Red light on blue leaves {red_on_blue:.0f}, in all three channels. "Purple" would be right if
-# colours were added. They are: *lights* add up, one lamp and another. *Filters* multiply.
+# Red light on blue leaves {red_on_blue:.0f}, in all three channels. "Purple" is what adding the
+# two would give. *Lights* do add up, one lamp and another, but *filters* multiply.
 
 # %% [markdown] minutes=3
 # ## Lamps add, filters multiply
 #
-# So much for one lamp. What do two of them make?
+# So much for one lamp. What do two of them make? Here is the red one alone, on a white ball.
 
 # %%
+show(ball((1, 1, 1), (1, 0, 0)), panel="Lights")
 predict(
-    "A red lamp and a green lamp shine on a white ball from the same place. It looks",
+    "Now a red lamp and a green lamp shine on the white ball from the same place. It looks",
     "brown, as when paints are mixed",
     "yellow",
     "black: a red filter lets no green through",
@@ -130,16 +141,18 @@ predict(
 both = ball((1, 1, 1), BLACK).with_(lights=[lamp((1, 0, 0)), lamp((0, 1, 0))])
 one, other = (pg.render(ball((1, 1, 1), c), SIZE) for c in ((1, 0, 0), (0, 1, 0)))
 together = pg.render(both, SIZE)
-off = np.abs(together.pixels - one.pixels - other.pixels).max()
+on_ball = together.coverage == 1
+off = np.abs(together.pixels - one.pixels - other.pixels)[on_ball].max()
 number("off", off, expected=0, tolerance=1e-6)  # two sums of the same float32 numbers
 show(
     both,
     "A red and a green lamp on a white ball: yellow, the sum of both.",
     shows=lambda picture: (
-        np.allclose(picture.pixels[..., 0], picture.pixels[..., 1])
-        and picture.pixels[..., 0].max() > 0.5
-        and picture.pixels[..., 2].max() == 0
+        picture.pixels.max() > 0.5
+        and picture.pixels[picture.coverage == 1, 2].max() == 0
+        and np.allclose(picture.pixels[..., 0], picture.pixels[..., 1])
     ),
+    panel="Lights",
 )
 
 # %% [markdown]
@@ -148,8 +161,8 @@ show(
 # simply summed.
 
 # %% [markdown] tags=["notes"]
-# Paints are filters on white paper: yellow paint takes blue away, blue paint takes red and green
-# away, and what is left of both is little. That is the "brown" that people expect.
+# Paints are filters on white paper: red paint takes green and blue away, green paint takes red and
+# blue away, and what is left of both is little. That is the "brown" that people expect.
 
 # %% [markdown] minutes=3
 # ## Try this

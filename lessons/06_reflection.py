@@ -4,6 +4,8 @@
 # A ball that bounces off a wall, a sunbeam off a mirror: both leave as they came, only on the
 # other side. The specular term needs that direction at every point of a picture, millions of
 # times a second. How does one compute it without a single angle?
+#
+# In the window $l$ (yellow) is the way to the light, and $r$ (pink) the way of its reflection.
 
 # %%
 import numpy as np
@@ -23,6 +25,11 @@ def direction(degrees):
 def degrees_between(a, b):
     """The angle between two unit vectors, in degrees."""
     return np.degrees(np.arccos(np.clip(a @ b, -1, 1)))
+
+
+left = pg.DirectionalLight(to_light=tuple(direction(-50)))
+mirror = pg.load("quad").with_(lights=[left], eye=(0, 1.2, 5), target=(0, 0.3, 0), fov=32)
+show(mirror, pixel=(0.5, 0.6), panel="Explain")
 
 
 # %% [markdown] slides=[6] minutes=3
@@ -186,6 +193,9 @@ show(drawing(after, 10))
 # its middle.
 
 # %%
+bulb = pg.PointLight(position=(0, 0, 3))
+sphere = pg.load("sphere").with_(lights=[bulb], tessellation=10, eye=(0, 0, 6), fov=25)
+show(sphere, pixel=(0.55, 0.45), panel="Explain")
 predict(
     "Somebody forgets to make $l$ unit length, and it is 2 long. How bright is the middle of the "
     "highlight, compared with what is right?",
@@ -238,11 +248,7 @@ number("million", middle["l 2 long"] / 1e6, expected=2**20 / 1e6)
 number("short", middle["n 0.9 long"], expected=0.62**20, tolerance=1e-17)
 number("rim", highlight(np.array([1, 0, 0]), -to_eye), expected=1)
 number("reversed_middle", middle["l reversed"], expected=0)
-show(
-    pg.load("sphere").with_(lights=[pg.PointLight(position=(0, 0, 3))], eye=(0, 0, 6), fov=25),
-    pixel=(0.55, 0.45),
-    panel="Bug zoo",
-)
+show(sphere, pixel=(0.55, 0.45), panel="Bug zoo")
 
 # %% [markdown]
 # - With $l$ twice as long the middle is {million:.2f} million times too bright. The screen shows a
@@ -252,14 +258,16 @@ show(
 # - With $l$ reversed, $r$ is reversed as well: the highlight has {reversed_middle:.0f} in the
 #   middle and {rim:.0f} at the rim, where the ball should be dark.
 #
+# The panel Bug zoo makes the first two in the real shaders, on a ball of few triangles. Tick one,
+# and see what becomes of the highlight.
+#
 # A trap with a name: `reflect` of GLSL and HLSL wants the vector *to the surface*. In the words of
 # the lecture, $r$ is `reflect(-l, n)`.
 
 # %% [markdown] tags=["notes"]
-# The panel Bug zoo makes two of these mistakes in the real shaders: "Normals not renormalised"
-# and "l not normalised"; the bulb of this step is 2 away from the nearest point of the ball. With
-# a reversed $l$ the diffuse term is black as well, which helps to find the mistake: $n \cdot l$
-# is negative wherever the light should arrive.
+# In the Bug zoo they are "l not normalised" and "Normals not renormalised"; the bulb of this step
+# is 2 away from the nearest point of the ball. With a reversed $l$ the diffuse term is black as
+# well, which helps to find the mistake: $n \cdot l$ is negative wherever the light should arrive.
 
 # %% [markdown] minutes=2
 # ## An aside: Blinn's halfway vector
@@ -269,6 +277,17 @@ show(
 # $n$ is from it: $(\max(n \cdot h, 0))^{sh}$.
 
 # %%
+glossy = pg.load("sphere").with_(
+    lights=[pg.DirectionalLight(to_light=(0, 0, 1), ambient=(0.15, 0.15, 0.15))],
+    specular=(1, 1, 1),
+    diffuse=NONE,
+    background=NONE,
+    shininess=20,
+    eye=(0, 0, 600),
+    fov=0.24,
+)
+near = glossy.with_(eye=(0, 0, 6), fov=24)
+show(near, panel="Material")
 predict(
     "With the same $sh = 20$ in both formulas, Blinn's highlight is",
     "smaller",
@@ -280,14 +299,6 @@ predict(
 )
 
 # %%
-glossy = pg.load("sphere").with_(
-    lights=[pg.DirectionalLight(to_light=(0, 0, 1), ambient=(0.15, 0.15, 0.15))],
-    specular=(1, 1, 1),
-    diffuse=NONE,
-    background=NONE,
-    eye=(0, 0, 600),
-    fov=0.24,
-)
 kinds = {"Phong, sh = 20": ("phong", 20), "Blinn, sh = 20": ("blinn", 20)}
 kinds["Blinn, sh = 80"] = ("blinn", 80)
 setups = [glossy.with_(highlight=formula, shininess=sh) for formula, sh in kinds.values()]
@@ -315,12 +326,12 @@ half = np.arccos(0.5 ** (1 / 20))
 wider = np.sin(half) / np.sin(half / 2)
 number("wider", width(setups[1]) / width(setups[0]), expected=wider, tolerance=wider * 0.03)
 number("alike", width(setups[2]) / width(setups[0]), expected=1, tolerance=0.03)
-show(glossy.with_(shininess=20, eye=(0, 0, 6), fov=24), panel="Terms")
+show(near, panel="Terms")
 
 # %% [markdown]
 # It is {wider:.1f} times as wide. With four times the exponent the two can hardly be told apart:
 # the widths are as {alike:.2f} to 1. Blinn's is what OpenGL had built in, and many programs use it
-# still.
+# still. The panel Terms switches between the two.
 
 # %% [markdown] tags=["notes"]
 # "Half the angle" holds exactly where $n$, $l$ and $v$ are in one plane, as here. On a floor seen
@@ -351,7 +362,11 @@ def rho(setup):
 show(start, pixel=(0.5, 0.5), panel="Lights")
 goal(
     "Move the bulb until the highlight is in the middle of the picture: $\\rho$ less than 2°.",
-    reached=lambda setup: setup.scene.objects == start.scene.objects and rho(setup) < 2,
+    reached=lambda setup: (
+        setup.scene.objects == start.scene.objects
+        and setup.camera.eye == start.camera.eye
+        and rho(setup) < 2
+    ),
     hint="The eye is at (0, 2, 4), and the floor is a mirror: where must the bulb be, so that the "
     "light comes in as it goes out to the eye?",
     solution=start.with_(lights=[pg.PointLight(position=(0, 2, -4))]),

@@ -15,6 +15,7 @@ ball = pg.load("sphere").with_(
     lights=[pg.DirectionalLight(to_light=(0, 0, 1))], eye=(0, 0, 6), fov=25
 )
 highlight = ball.with_(terms=["specular"], background=(0, 0, 0), specular=(1, 1, 1))
+show(ball, panel="Material")
 
 # %% [markdown] slides=[7] minutes=3
 # ## It moves when you move
@@ -57,7 +58,7 @@ def brightest_normal(setup):
 # From far away, so that v is the same at all points. In the middle a pixel is 0.4° wide.
 before, after = (brightest_normal(walked(highlight, a, distance=600)) for a in (0, 40))
 number("moved", np.degrees(np.arccos(before @ after)), expected=20, tolerance=0.4)
-show(walked(ball, 40), pixel=(0.5, 0.5))
+show(walked(ball, 40), pixel=(0.5, 0.5), panel="Explain")
 
 # %% [markdown]
 # The brightest point has moved by {moved:.0f}°. The diffuse term is *view-independent*; the
@@ -72,7 +73,7 @@ show(walked(ball, 40), pixel=(0.5, 0.5))
 # think of a mirror image of the lamp at the camera. In the window, drag to orbit: the
 # arrows $n$, $l$, $r$ and $v$ are those of the point in the middle.
 
-# %% [markdown] slides=[8] minutes=4
+# %% [markdown] slides=[7, 8] minutes=4
 # ## How fast it falls off
 #
 # The lecture lets it fall off as a power:
@@ -82,6 +83,7 @@ show(walked(ball, 40), pixel=(0.5, 0.5))
 # where $sh$ is the *shininess*. The slide has four pictures, with $sh$ = 5, 10, 20 and 80.
 
 # %%
+show(ball.with_(shininess=5), panel="Material")
 predict(
     "From $sh$ = 5 to $sh$ = 80, the shininess grows 16 times. What happens to the diameter of "
     "the highlight?",
@@ -150,7 +152,7 @@ show(ball, panel="Material")
 # ## Which colour it has
 #
 # $m_d$ is the colour of the surface. $m_s$ is usually a grey. Light a blue ball with a yellow
-# lamp:
+# lamp; in the window its specular term is still off.
 
 # %%
 yellow = pg.DirectionalLight(
@@ -159,6 +161,7 @@ yellow = pg.DirectionalLight(
 blue = ball.with_(
     lights=[yellow], diffuse=(0, 0, 0.8), ambient=(0, 0, 0.8), specular=(0.9, 0.9, 0.9)
 )
+show(blue.with_(terms=["diffuse", "ambient"]), panel="Lights")
 predict(
     "Yellow light (1, 1, 0) on a blue ball (0, 0, 0.8) with grey $m_s$. Which colour is the "
     "highlight?",

@@ -13,6 +13,7 @@ from playground.lesson import figure, goal, number, predict, show
 
 SIZE, BLACK = (480, 360), (0, 0, 0)
 teapot = pg.load("teapot").with_(background=BLACK)
+show(teapot, panel="Terms")
 
 # %% [markdown] slides=[9] minutes=3
 # ## Light from everywhere
@@ -84,18 +85,6 @@ show(behind, panel="Terms")
 # traffic light. It is a colour of the material, $m_e$, and that is all.
 
 # %%
-predict(
-    "A dark ball hangs over a grey floor. Now it begins to glow, $m_e$ = (1, 0.6, 0.1). By how "
-    "much does the floor become brighter?",
-    "not at all",
-    "a little, under the ball",
-    "as if a lamp hung there",
-    answer="not at all",
-    why="For that, a point of the floor would have to know of the ball. In a local model it knows "
-    "the lights of the scene and its own material; an object is not a light.",
-)
-
-# %%
 grey = pg.Material(diffuse=(0.5, 0.5, 0.5), specular=BLACK, ambient=(0.5, 0.5, 0.5))
 
 
@@ -118,6 +107,19 @@ def lantern(glow):
     return setup.with_(eye=(0, 1.5, 7), target=(0, -0.3, 0), fov=32)
 
 
+show(lantern(BLACK), panel="Material")
+predict(
+    "A dark ball hangs over a grey floor. Now it begins to glow, $m_e$ = (1, 0.6, 0.1). By how "
+    "much does the floor become brighter?",
+    "not at all",
+    "a little, under the ball",
+    "as if a lamp hung there",
+    answer="not at all",
+    why="For that, a point of the floor would have to know of the ball. In a local model it knows "
+    "the lights of the scene and its own material; an object is not a light.",
+)
+
+# %%
 dark, glowing = (pg.render(lantern(glow), (320, 240)) for glow in (BLACK, (1, 0.6, 0.1)))
 change = glowing.pixels - dark.pixels
 ground = (slice(190, 215), slice(80, 240))  # the floor in front of the ball

@@ -14,10 +14,12 @@ from playground.errors import PlaygroundError
 from playground.lesson.library import find, following
 from playground.lesson.parts import Goal, Item, Lesson, Page, Question, View
 from playground.lesson.script import read_lesson
+from playground.lesson.words import SIZE
 
 if TYPE_CHECKING:
     from playground.gui.state import State
 
+SHADERS = "Shaders"  # the panel below the picture
 SKIPPED = -1  # the answer of someone who went on without one
 
 
@@ -183,4 +185,6 @@ def staged(state: State) -> State:
         state = replace(opened, method=view.method, layout=layout, other=other)
     except PlaygroundError as error:
         return state.fail(f"{course.lesson.path}: {error}")
-    return replace(state, pixel=view.pixel, unfold=view.panel)
+    clue = replace(state.clue, picture=0, seen=("single", SIZE))  # there the pixel was chosen
+    shaders = state.shaders or view.panel == SHADERS
+    return replace(state, pixel=view.pixel, clue=clue, unfold=view.panel, shaders=shaders)

@@ -16,16 +16,20 @@ from playground.lesson.serve import Answer, Request
 
 
 class LessonProcess:
-    """A lesson in `playground.lesson.serve`; `ask` only while it is `idle`."""
+    """A lesson in `playground.lesson.serve`; `ask` only while it is `idle`.
 
-    def __init__(self, path: Path) -> None:
+    Its temporary files go into ``scratch``: a process that is ended cannot remove them itself.
+    """
+
+    def __init__(self, path: Path, scratch: str) -> None:
         here = str(locate.PACKAGE.parent)
         found = os.pathsep.join(filter(None, (here, os.environ.get("PYTHONPATH", ""))))
+        places = dict.fromkeys(("TMPDIR", "TEMP", "TMP"), scratch)
         self._process = subprocess.Popen(
             [sys.executable, "-m", "playground.lesson.serve", str(path.absolute())],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
-            env=os.environ | {"PYTHONPATH": found},
+            env=os.environ | {"PYTHONPATH": found} | places,
         )
         self._answers = SimpleQueue[tuple[Request, Answer]]()
         self._waiting: Request | None = None

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from shutil import rmtree
+from tempfile import mkdtemp
 from time import perf_counter
+from weakref import finalize
 
 from playground.files import Stamp, stamp
 from playground.gui.lesson.lesson_course import Course, reach, read_again, staged
@@ -26,8 +29,10 @@ class LessonRun:
         self._process: LessonProcess | None = None
         self._lesson: Lesson | None = None
         self._asked: dict[tuple[int, int], Setup] = {}  # what each goal was held against last
+        self._drawn = (0, 0)  # the step and the number of pages that the last frame has drawn
         self._stamp: Stamp | None = None
         self._looked = 0.0
+        self._scratch = ""  # stays when the lesson is closed: the scene may use its files
 
     @property
     def coming(self) -> bool:
@@ -63,7 +68,10 @@ class LessonRun:
         self._lesson, self._asked = course.lesson, {}
         self._stamp = stamp(course.lesson.path)
         if not course.error:
-            self._process = LessonProcess(course.lesson.path)
+            if not self._scratch:
+                self._scratch = mkdtemp(prefix="playground-lesson-")
+                finalize(self, rmtree, self._scratch, ignore_errors=True)
+            self._process = LessonProcess(course.lesson.path, self._scratch)
 
     def _changed(self, state: State) -> State:
         """Read the file again where its author has changed it."""
@@ -106,6 +114,9 @@ class LessonRun:
         """What to ask for next, the most urgent first."""
         if course.error:
             return None
+        typeset = self._pictures.wanted()
+        if typeset is not None:  # first of all: it is quick, and is being read
+            return typeset
         if course.page is None:
             return RunNext()
         for i in course.goals():
@@ -113,9 +124,10 @@ class LessonRun:
             if self._asked.get(key) is not state.setup:
                 self._asked[key] = state.setup
                 return Reached(course.step, i, light(state.setup))
-        typeset = self._pictures.wanted()
-        if typeset is not None:
-            return typeset
+        drawn = (course.step, len(course.pages))
+        if drawn != self._drawn:  # its formulas are first asked for when it is drawn
+            self._drawn = drawn
+            return None
         ahead = len(course.pages) <= course.step + 1 < len(course.lesson.steps)
         return RunNext() if ahead and not course.goals() else None
 

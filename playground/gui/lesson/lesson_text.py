@@ -17,6 +17,7 @@ BASELINE = 0.797  # of the font's line height, from above; DejaVu Sans
 LINE = 1.36  # from line to line, in heights of the text
 CODE = 0.9  # height of code, in heights of the text
 BULLET = 1.1  # indent of a list, in heights of the text
+FIT = 0.98  # of the room, for a formula that is made smaller: its size is rounded
 STRONG = 0.045  # how far strong letters are drawn twice, in heights of the text
 Sizes = tuple[tuple[str, float, float, float], ...]  # formula, width, height, depth
 
@@ -36,6 +37,15 @@ def draw(blocks: tuple[Block, ...], pictures: LessonPictures, faint: bool = Fals
         _block(block, pictures, faint)
 
 
+def order(blocks: tuple[Block, ...], pictures: LessonPictures) -> None:
+    """Ask for the formulas of blocks that are not shown yet."""
+    room = imgui.get_content_region_avail().x
+    for block in blocks:
+        for span in block.spans:
+            if span.kind == "formula":
+                _letters(span.text, block, pictures, room)
+
+
 def _block(block: Block, pictures: LessonPictures, faint: bool) -> None:
     size, room = imgui.get_font_size(), imgui.get_content_region_avail().x
     if block.kind == "code":
@@ -44,7 +54,8 @@ def _block(block: Block, pictures: LessonPictures, faint: bool) -> None:
     letters = {
         span.text: found
         for span in block.spans
-        if span.kind == "formula" and (found := _letters(span.text, block, pictures)) is not None
+        if span.kind == "formula"
+        and (found := _letters(span.text, block, pictures, room)) is not None
     }
     dense = imgui.get_io().display_framebuffer_scale.x
     sizes = tuple(
@@ -69,10 +80,15 @@ def _block(block: Block, pictures: LessonPictures, faint: bool) -> None:
     return None
 
 
-def _letters(formula: str, block: Block, pictures: LessonPictures) -> Letters | None:
+def _letters(formula: str, block: Block, pictures: LessonPictures, room: float) -> Letters | None:
+    """The formula, in smaller letters where it would be wider than the room."""
     larger = 1.15 if block.kind == "formula" else 1.0
     dense = imgui.get_io().display_framebuffer_scale.x
-    return pictures.formula(formula, EM * larger * imgui.get_font_size() * dense)
+    size = EM * larger * imgui.get_font_size() * dense
+    found = pictures.formula(formula, size)
+    if found is None or found.width <= room * dense:
+        return found
+    return pictures.formula(formula, FIT * size * room * dense / found.width) or found
 
 
 def _piece(

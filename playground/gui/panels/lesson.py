@@ -23,7 +23,7 @@ from playground.gui.state import State
 from playground.gui.widget.plots import wrapped
 from playground.gui.widget.theme import PALETTES
 from playground.lesson.page import listed, plural
-from playground.lesson.parts import Figure, Goal, Question, Text, View
+from playground.lesson.parts import Figure, Goal, Item, Question, Text, View
 from playground.lesson.prose import Block, Span
 from playground.lesson.script import opening
 
@@ -51,6 +51,7 @@ def draw(state: State, pictures: LessonPictures) -> State:
         else:
             _heading(course, pictures)
             state = _page(state, course, pictures)
+            _order(course, pictures)
     imgui.end_child()
     return state
 
@@ -72,9 +73,12 @@ def _head(state: State, course: Course) -> State:
     words += [f"{course.step + 1} of {steps}"]
     words += [f"{plural('slide', len(step.slides))} {listed(step.slides)}"] if step.slides else []
     words += [f"{step.minutes:g} min"] if step.minutes else []
+    close = imgui.get_window_width() - 2.4 * size
+    while imgui.get_cursor_pos_x() + imgui.calc_text_size(" · ".join(words)).x > close:
+        words.pop()  # the button is more important
     imgui.align_text_to_frame_padding()
     imgui.text_disabled(" · ".join(words))
-    imgui.same_line(imgui.get_window_width() - 2.4 * size)
+    imgui.same_line(close)
     if imgui.button("×##close"):
         state = close_lesson(state)
     imgui.set_item_tooltip("close the lesson; the scene stays as it is")
@@ -126,6 +130,24 @@ def _page(state: State, course: Course, pictures: LessonPictures) -> State:
         lesson_text.draw(notes, pictures)
         imgui.tree_pop()
     return _foot(state, course)
+
+
+def _order(course: Course, pictures: LessonPictures) -> None:
+    """Ask for formulas before they are seen: while the next step runs, none would come."""
+    for item in course.page.items if course.page else ():
+        for blocks in _texts(item):
+            lesson_text.order(blocks, pictures)
+    if course.page is not None and len(course.pages) == course.step + 1 and not course.last:
+        lesson_text.order(opening(course.lesson, course.step + 1), pictures)
+
+
+def _texts(item: Item) -> tuple[tuple[Block, ...], ...]:
+    """All that is to be read of an item."""
+    if isinstance(item, Text):
+        return (item.blocks,)
+    if isinstance(item, Question):
+        return (item.question, *item.choices, item.why)
+    return (item.text, item.hint) if isinstance(item, Goal) else (item.caption,)
 
 
 def _foot(state: State, course: Course) -> State:
