@@ -15,7 +15,8 @@ cbuffer Transform {
     float3x3 normal_from_object;
 };
 
-// Products of light and material colours, and lights: shaders/interface/surface.glsl.
+// Products of light and material colours: shaders/interface/surface.glsl; and lights:
+// shaders/interface/lights.glsl.
 cbuffer Surface {
     float3 constant_terms;
     float shininess;

@@ -1,8 +1,4 @@
-// The eye of a traced picture, and the rays through its pixels.
-uniform vec3 camera;           // where the eye is
-uniform vec3 first_ray;        // through the sample of pixel (0, 0)
-uniform vec3 next_column;      // what a step of one pixel adds to it
-uniform vec3 next_row;
+// What the camera of a traced picture tells every pixel; its rays come by trace/whitted.vert.
 #if CLIPPED
 uniform vec2 reach;            // nearest and farthest, in lengths of the ray before it is made unit
 #endif

@@ -1,30 +1,7 @@
-// The lights of a traced scene, all of them, in the space of trace/scene.glsl.
-#if DIRECTIONAL_LIGHTS > 0
-uniform vec3 directional_to_light[DIRECTIONAL_LIGHTS];
-uniform vec3 directional_diffuse[DIRECTIONAL_LIGHTS];
-uniform vec3 directional_specular[DIRECTIONAL_LIGHTS];
-#endif
-#if POINT_LIGHTS > 0
-uniform vec3 point_position[POINT_LIGHTS];
-uniform vec3 point_diffuse[POINT_LIGHTS];
-uniform vec3 point_specular[POINT_LIGHTS];
-uniform vec3 point_attenuation[POINT_LIGHTS];
-#endif
-#if SPOT_LIGHTS > 0
-uniform vec3 spot_position[SPOT_LIGHTS];
-uniform vec3 spot_diffuse[SPOT_LIGHTS];
-uniform vec3 spot_specular[SPOT_LIGHTS];
-uniform vec3 spot_attenuation[SPOT_LIGHTS];
-uniform vec3 spot_axis[SPOT_LIGHTS];
-uniform vec2 spot_edge_width[SPOT_LIGHTS];
-#endif
+// The lights of a traced scene, all of them, and what shadow rays need of those with an extent.
+#include "interface/lights.glsl"
 #if AREA_LIGHTS > 0
-#define AREA_CORNERS_OF_ALL (AREA_LIGHTS * AREA_CORNERS)
-uniform vec3 area_corner[AREA_CORNERS_OF_ALL];
-uniform vec3 area_diffuse[AREA_LIGHTS];
-uniform vec3 area_specular[AREA_LIGHTS];
 uniform vec3 area_facing[AREA_LIGHTS];
-uniform float area_two_sided[AREA_LIGHTS];
 // Row i: the points on light i to which shadow rays go:
 uniform sampler2D area_points;
 #endif

@@ -108,7 +108,7 @@ def check_precision(context: moderngl.Context, needs: Needs) -> None:
 def check_lights(context: moderngl.Context, needs: Needs) -> None:
     """Raise an error if the lights do not fit into the uniforms that the driver offers.
 
-    A directional light takes three vectors of ``interface/surface.glsl``, a point light
+    A directional light takes three vectors of ``interface/lights.glsl``, a point light
     four, a spot light six, an area light three and its corners; sixteen are left for
     everything else.
     """

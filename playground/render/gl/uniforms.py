@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from playground.render.gl.light_uniforms import standing_values, turned_values
 from playground.render.precision import farthest, to_type
 from playground.render.surface import Surface
 from playground.render.view import View
@@ -37,19 +38,8 @@ def view_uniforms(surface: Surface, view: View, precision: str = "native") -> di
     }
     lit = any(light.diffuse.any() or light.specular.any() for light in surface.lights)
     met = surface.lights if lit else ()  # those of stored light have done their work
-    for kind in ("point", "spot"):
-        lights = [light for light in met if light.kind == kind]
-        if lights:
-            standing = [(x.position, x.attenuation) for x in lights if x.position is not None]
-            limit = farthest(np.float16 if precision == "float16" else np.float32)
-            places = [view.light_place(position, k, limit) for position, k in standing]
-            values[f"{kind}_position"] = [position for position, _ in places]
-            values[f"{kind}_attenuation"] = [attenuation for _, attenuation in places]
-    areas = [view.corners(x.corners) for x in met if x.corners is not None]
-    if areas:  # all with as many corners: the last one repeated adds edges without length
-        most = max(len(corners) for corners in areas)
-        padded = [np.pad(x, ((0, most - len(x)), (0, 0)), "edge") for x in areas]
-        values["area_corner"] = np.concatenate(padded)
+    limit = farthest(np.float16 if precision == "float16" else np.float32)
+    values |= standing_values(met, view, limit)
     return _in_precision(values, precision)
 
 
@@ -66,13 +56,7 @@ def surface_uniforms(surface: Surface, settings: Settings) -> dict[str, Any]:
         lights = [light for light in surface.lights if light.kind == kind]
         values[f"{kind}_diffuse"] = np.array([light.diffuse for light in lights])
         values[f"{kind}_specular"] = np.array([light.specular for light in lights])
-        if kind == "directional":
-            values["directional_to_light"] = np.array([light.to_light for light in lights])
-        if kind == "area":
-            values["area_two_sided"] = np.array([[float(light.two_sided)] for light in lights])
-        if kind == "spot":
-            values["spot_axis"] = np.array([light.axis for light in lights])
-            values["spot_edge_width"] = np.array([light.edge_width for light in lights])
+    values |= turned_values(surface.lights)
     return _in_precision(values, settings.precision)
 
 

@@ -5,6 +5,12 @@ unit roundoff u = 2⁻²⁴ and matrices rounded to float32: a point on a ball i
 normal, 2 roundings of the inputs, 2 operations and 3u of the normal's length; one on a plane
 misses it by 4u of the point and of the plane's foot; one on a shape goes through its matrix and
 back, 4u each way and 6u for putting it onto the shape. All are within the 32u of ``ROUNDINGS``.
+A ray starts 64u away along the normal n: that sum rounds each coordinate by u, which moves the
+start by u (|n_x| + |n_y| + |n_z|) <= 2u towards the surface at most. 46u are left.
+
+Directions are made unit at the eye. A reflection keeps the length to 16u (four times the 3u of the
+normal's length, and the sum's own roundings), a refraction makes it anew from sine and cosine: a
+length is off by 1e-4 at most after the hundred mirrors that a setting allows.
 """
 
 from __future__ import annotations
@@ -13,10 +19,10 @@ from typing import Any
 
 import numpy as np
 
+from playground.render.gl.light_uniforms import standing_values, turned_values
 from playground.render.gl.trace.layout import Layout, flattened, without_dust
 from playground.render.gl.trace.trees import Trees
 from playground.render.raster.coverage import SUBPIXELS, sample_position
-from playground.render.surface import SurfaceLight
 from playground.render.trace.lamp import facing_of, points_on
 from playground.render.trace.solids import Solid
 from playground.render.trace.traced_scene import TracedScene
@@ -151,32 +157,11 @@ def _lights(scene: TracedScene, layout: Layout) -> Values:
     weights = scene.settings.weights
     for kind, found in layout.lights.items():
         own = [scene.setup.scene.lights[number] for number, _ in found]
-        lights = [light for _, light in found]
         values[f"{kind}_diffuse"] = [weights["diffuse"] * np.array(x.diffuse) for x in own]
         values[f"{kind}_specular"] = [weights["specular"] * np.array(x.specular) for x in own]
-        values |= _places(kind, lights, scene.view)
-    return values
-
-
-def _places(kind: str, lights: list[SurfaceLight], view: View) -> Values:
-    if kind == "directional":
-        return {"directional_to_light": [light.to_light for light in lights]}
-    if kind == "area":
-        corners = [view.corners(x.corners) for x in lights if x.corners is not None]
-        most = max(map(len, corners))
-        padded = [np.pad(x, ((0, most - len(x)), (0, 0)), "edge") for x in corners]
-        return {
-            "area_corner": np.concatenate(padded),
-            "area_facing": [facing_of(x) for x in corners],
-            "area_two_sided": [[float(light.two_sided)] for light in lights],
-        }
-    standing = [(x.position, x.attenuation) for x in lights if x.position is not None]
-    places = [view.light_place(position, fading) for position, fading in standing]
-    values: Values = {
-        f"{kind}_position": [position for position, _ in places],
-        f"{kind}_attenuation": [fading for _, fading in places],
-    }
-    if kind == "spot":
-        values["spot_axis"] = [light.axis for light in lights]
-        values["spot_edge_width"] = [light.edge_width for light in lights]
+    lights = [light for found in layout.lights.values() for _, light in found]
+    values |= standing_values(lights, scene.view) | turned_values(lights)
+    areas = [light.corners for light in lights if light.corners is not None]
+    if areas:
+        values["area_facing"] = [facing_of(scene.view.corners(corners)) for corners in areas]
     return values
