@@ -22,6 +22,7 @@ from playground.render.checks import check_setup
 from playground.render.image import Image
 from playground.render.renderer import Renderer, open_renderer
 from playground.scene.setup import Setup
+from playground.steps import finished, retold
 
 SIZE = (640, 480)
 FIRST = 0.05  # of the progress: how far two times of one setup are apart
@@ -52,15 +53,7 @@ def advise(
 
     ``watch`` is called with the progress after every picture or two.
     """
-    with closing(advising(setup, budget, metric, **more)) as steps:
-        while True:
-            try:
-                progress = next(steps)
-            except StopIteration as end:
-                advice: Advice = end.value
-                return advice
-            if watch is not None:
-                watch(progress)
+    return finished(advising(setup, budget, metric, **more), watch)
 
 
 def advising(
@@ -114,7 +107,7 @@ def advising(
             warm = _warm(drawn.name)
         full = _picture(drawn, setup)
         compared = partial(errors_of, full, flip=flip or metric == "flip")
-        control = yield from _told(
+        control = yield from retold(
             paired(cost, setup, replace(setup), warm),
             lambda share: Progress(FIRST * share, "the setup against itself"),
         )
@@ -131,7 +124,7 @@ def advising(
         proposed = without(setup, [finding.candidate for finding in chosen])
         errors = compared(_picture(drawn, proposed))
         timing = paired(cost, setup, proposed, warm, control.spread)
-        saving = yield from _told(
+        saving = yield from retold(
             timing, lambda share: Progress(1 - (1 - share) * LAST / 2, "the proposal", findings)
         )
         return Advice(
@@ -161,7 +154,7 @@ def _findings(
         picture = _picture(drawn, changed)
         yield told(0.0)
         errors = compared(picture)
-        saving = yield from _told(paired(cost, setup, changed, warm, floor), told)
+        saving = yield from retold(paired(cost, setup, changed, warm, floor), told)
         findings.append(Finding(candidate, errors, saving))
     return tuple(findings)
 
@@ -193,19 +186,6 @@ def _chosen(
         if error_of(metric, full, _picture(drawn, less)) <= budget:
             chosen = tried
     return chosen
-
-
-def _told(
-    steps: Generator[float, None, Result], tell: Callable[[float], Progress]
-) -> Steps[Result]:
-    """The same steps, with progress in the words of ``tell``."""
-    while True:
-        try:
-            share = next(steps)
-        except StopIteration as end:
-            result: Result = end.value
-            return result
-        yield tell(share)
 
 
 def _picture(drawn: Renderer, setup: Setup) -> Image:

@@ -102,7 +102,7 @@ class AreaPass:
         self._target.read((0, 0, 1, 1), components=1, dtype="f4")
 
     def values(self, seed: int = 0) -> NDArray[np.float32]:
-        """One evaluation at every point; other samples for every seed."""
+        """One evaluation at every point, (H, W); other samples for every seed."""
         self.run(1, seed)
         data = self._target.read(components=1, dtype="f4")
         return np.frombuffer(data, np.float32).reshape(self.size[::-1])

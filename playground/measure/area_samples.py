@@ -50,7 +50,7 @@ def highlight(points: Array, shininess: float) -> Integrand:
 
 
 def integrate(points: Array, integrand: Integrand, places: Array, weights: Array) -> Array:
-    """Σ weight · integrand · cos θ'/r² over ``places`` (..., S, 2) of the unit square."""
+    """Σ weight · integrand · cos θ'/r² over ``places`` (..., S, 2) of the unit square, (...)."""
     x, z = places[..., 0] - 0.5, places[..., 1] - 0.5
     to_light = np.stack([x, np.ones_like(x), z], axis=-1) - points[..., None, :]
     squared = dot(to_light, to_light)
@@ -65,7 +65,7 @@ def sampled(
 ) -> Array:
     """The mean over ``count`` random samples, other ones at each point; one per cell if stratified.
 
-    A stratified ``count`` is a square number.
+    ``points`` are (..., 3), the result (...). A stratified ``count`` is a square number.
     """
     places = rng.random((*points.shape[:-1], count, 2))
     if stratified:
@@ -76,7 +76,7 @@ def sampled(
 
 
 def converged(points: Array, integrand: Integrand) -> Array:
-    """By Gauss's quadrature over the square, row by row of ``points`` (H, W, 3)."""
+    """By Gauss's quadrature over the square, (H, W) for ``points`` (H, W, 3)."""
     node, weight = np.polynomial.legendre.leggauss(GAUSS)
     node, weight = 0.5 * (node + 1.0), 0.5 * weight
     places = np.stack(np.meshgrid(node, node), axis=-1).reshape(-1, 2)

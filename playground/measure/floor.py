@@ -72,7 +72,7 @@ class Floor:
         self.program[name].value = value  # type: ignore[union-attr]
 
     def frame(self, step: int) -> NDArray[np.uint8]:
-        """Draw one step of the orbit and read it, bottom row first."""
+        """Draw one step of the orbit and read it, (H, W, 4), bottom row first."""
         import moderngl
 
         eye = scene.eye(step)

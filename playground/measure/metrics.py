@@ -1,6 +1,6 @@
 """How far two pictures are apart: RMSE, maximum, PSNR, SSIM, FLIP.
 
-All take arrays of shape (H, W, 3) and reduce in float64.
+All take two pictures, arrays (H, W, 3) of any one unit of colours, and reduce in float64.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ LUMINANCE = np.array([0.2126, 0.7152, 0.0722])  # ITU-R BT.709
 
 
 def rmse(a: ArrayLike, b: ArrayLike) -> float:
-    """Root of the mean squared difference over all components."""
+    """Root of the mean squared difference over all components, in the unit of the pictures."""
     difference = np.subtract(a, b, dtype=np.float64)
     return float(np.sqrt(np.mean(difference * difference)))
 
 
 def largest(a: ArrayLike, b: ArrayLike) -> float:
-    """The largest absolute difference of any component."""
+    """The largest absolute difference of any component, in the unit of the pictures."""
     return float(np.max(np.abs(np.subtract(a, b, dtype=np.float64))))
 
 

@@ -1,56 +1,18 @@
-"""Timing frames and judging pictures: what most experiments share."""
+"""A picture for an experiment, and how far it is from another one."""
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Sequence
-from contextlib import ExitStack
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from playground.measure import metrics
-from playground.measure.record import Batch, Errors, Timer
+from playground.measure.record import Errors
 from playground.render.image import Image
 from playground.render.renderer import open_renderer
 from playground.scene.setup import Setup
 from playground.shading.display import code8
-
-WARM_UP = 12  # frames: enough for a still scene to get its constants built in
-ROUND_MS, MOST = 10.0, 12  # a round of a candidate lasts about this long, or this many frames
-
-
-def timed(work: Callable[[], Any], count: int) -> list[float]:
-    """Milliseconds of each of ``count`` calls."""
-    times = []
-    for _ in range(count):
-        start = time.perf_counter()
-        work()
-        times.append(1e3 * (time.perf_counter() - start))
-    return times
-
-
-def rounds_of(work: Callable[[], Any], warm_up: int = WARM_UP) -> Timer:
-    """A timer whose rounds hold as many calls as fit in `ROUND_MS`, at least one."""
-    last = timed(work, warm_up)[-1]
-    count = int(np.clip(ROUND_MS / last, 1, MOST))
-    return lambda: Batch(timed(work, count))
-
-
-def frames_of(
-    setup: Setup, size: tuple[int, int], renderer: str = "gl", method: str = "raster"
-) -> Callable[[ExitStack], Timer]:
-    """Opens a renderer of its own and times frames of 8-bit RGBA read into an array."""
-
-    def opened(stack: ExitStack) -> Timer:
-        drawn = stack.enter_context(open_renderer(size, renderer, method=method))
-        codes = np.empty((size[1], size[0], 4), np.uint8)
-        warm_up = WARM_UP if renderer == "gl" else 1
-        return rounds_of(lambda: drawn.render(setup, out=codes), warm_up)
-
-    return opened
 
 
 def picture(
@@ -95,14 +57,3 @@ def picture_errors(
         left_out=left_out,
         more={"pixels not finite": float(wild.sum())} if wild.any() else {},
     )
-
-
-def jackknife(statistic: Callable[[Any], float], batches: Sequence[Any]) -> float:
-    """The standard error that ``statistic`` of a mean has because the mean is of few batches.
-
-    Source: Efron & Tibshirani, An Introduction to the Bootstrap, 1993, equation 11.5.
-    """
-    count = len(batches)
-    total = np.sum(batches, axis=0)
-    without = [statistic((total - batch) / (count - 1)) for batch in batches]
-    return float(np.sqrt((count - 1) / count * np.sum(np.subtract(without, np.mean(without)) ** 2)))

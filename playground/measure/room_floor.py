@@ -174,7 +174,7 @@ class RoomFloor:
         self._dtype, self.pixels = dtype, np.empty((size[1], size[0], 4), kind)
 
     def frame(self, step: int) -> NDArray[np.uint8] | NDArray[np.float32]:
-        """Trace one step of the camera and read it."""
+        """Trace one step of the camera and read it, (H, W, 4), bottom row first."""
         import moderngl
 
         self._program["eye"].value = eye(step)  # type: ignore[union-attr]

@@ -8,8 +8,8 @@ from functools import partial
 from typing import Any
 
 from playground.measure.matrix_errors import Ints
-from playground.measure.pictures import ROUND_MS, timed
-from playground.measure.record import Batch, Timer
+from playground.measure.record import Timer
+from playground.measure.timing import rounds_of
 from playground.render.radiosity.factor.closed_form import ClosedForm
 from playground.render.radiosity.factor.form_factors import METHODS
 from playground.render.radiosity.factor.hemicube import Hemicubes
@@ -17,7 +17,6 @@ from playground.render.radiosity.patch.patches import Patches
 from playground.shading.floats import Array
 
 MakeRows = Callable[[Ints], Array]
-MOST = 12  # calls in a round
 
 
 @contextmanager
@@ -54,7 +53,5 @@ def _closed_form(
 
 
 def timer_of(rows: MakeRows, chosen: Ints) -> Timer:
-    """Milliseconds per row, in rounds of as many calls as fit in `ROUND_MS`, one at least."""
-    (once,) = timed(lambda: rows(chosen), 1)
-    count = min(max(int(ROUND_MS / once), 1), MOST)
-    return lambda: Batch([t / len(chosen) for t in timed(lambda: rows(chosen), count)])
+    """Milliseconds per row, of calls that compute all the chosen ones (k,)."""
+    return rounds_of(partial(rows, chosen), warm_up=1, parts=len(chosen))

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from synthetic import Fake, fronted, row
 
+from playground.measure.jackknife import jackknife
 from playground.measure.journal import Journal
-from playground.measure.pictures import jackknife
 from playground.measure.record import Batch
 from playground.measure.report.text import winner, winners
 from playground.measure.rows import difference, fastest, ratio, rows_of, slope, told_apart

@@ -12,9 +12,9 @@ import numpy as np
 from playground.measure import area_samples as light
 from playground.measure import metrics
 from playground.measure.experiments.sentences import of, percent, sentence, times
-from playground.measure.pictures import rounds_of
 from playground.measure.record import Batch, Candidate, Errors, Experiment, Timer
 from playground.measure.rows import Row, cases, ratio, slope
+from playground.measure.timing import rounds_of
 from playground.shading.area_light import form_factor, lobe_integral
 from playground.shading.vector import Array
 

@@ -23,8 +23,8 @@ from playground.measure.experiments.area_light import (
     judged,
     reference,
 )
-from playground.measure.pictures import rounds_of
 from playground.measure.record import Batch, Candidate, Errors, Experiment, Timer
+from playground.measure.timing import rounds_of
 
 INTEGRALS = dict(zip(CASES, ("diffuse", "highlight"), strict=True))
 EVALUATIONS = 2048  # of a timed pass at every point, shared out among the samples

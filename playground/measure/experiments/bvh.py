@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.measure.experiments.sentences import listed, of, sentence, times
-from playground.measure.pictures import rounds_of
 from playground.measure.ray_kinds import Rays, ray_kinds
 from playground.measure.record import Batch, Candidate, Errors, Experiment, Timer
 from playground.measure.rows import Row, ratio
+from playground.measure.timing import rounds_of
 from playground.render.trace import walk
 from playground.render.trace.bvh import Bvh, build
 from playground.scene.mesh import Mesh

@@ -10,9 +10,10 @@ from typing import Any
 from playground import locate
 from playground.measure.experiments.sentences import listed, of, sentence, signed
 from playground.measure.experiments.spheres import sphere_mesh
-from playground.measure.pictures import frames_of, picture, picture_errors
+from playground.measure.pictures import picture, picture_errors
 from playground.measure.record import Candidate, Errors, Experiment
 from playground.measure.rows import Row, ratio, told_apart
+from playground.measure.timing import frames_of
 from playground.render.image import Image
 from playground.render.needs import needs
 from playground.render.surface import surfaces

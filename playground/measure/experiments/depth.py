@@ -7,9 +7,10 @@ from dataclasses import replace
 from functools import lru_cache
 
 from playground.measure.experiments.sentences import of, percent, reach, sentence, times, took
-from playground.measure.pictures import frames_of, picture, picture_errors
+from playground.measure.pictures import picture, picture_errors
 from playground.measure.record import Candidate, Errors, Experiment
 from playground.measure.rows import Row, cases, ratio
+from playground.measure.timing import frames_of
 from playground.render.image import Image
 from playground.scene.library import load
 

@@ -18,9 +18,9 @@ from playground.measure import metrics
 from playground.measure.experiments.sentences import of, sentence, times
 from playground.measure.floor import Floor
 from playground.measure.frames_scene import SIZE, eye, frames_setup
-from playground.measure.pictures import WARM_UP, timed
 from playground.measure.record import Batch, Candidate, Errors, Experiment, Timer
 from playground.measure.rows import Row, cases
+from playground.measure.timing import WARM_UP, timed
 from playground.render.renderer import open_renderer
 
 FRAMES = {"1k": 12, "100k": 6, "1M": 2}  # frames of one candidate in one round

@@ -14,9 +14,10 @@ from playground.measure.experiments.spheres import (
     exact_sphere,
     sphere,
 )
-from playground.measure.pictures import frames_of, picture, picture_errors
+from playground.measure.pictures import picture, picture_errors
 from playground.measure.record import Candidate, Errors, Experiment
 from playground.measure.rows import Row
+from playground.measure.timing import frames_of
 
 METHODS = {"renormalised": (), "not renormalised": ("normal-not-renormalised",)}
 TESSELLATIONS = (8, 16, 32, 64, 128, 256)

@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from playground.errors import PlaygroundError
 from playground.measure.experiments.sentences import of, percent, sentence, times
 from playground.measure.experiments.spheres import sphere
-from playground.measure.pictures import frames_of, picture, picture_errors
+from playground.measure.pictures import picture, picture_errors
 from playground.measure.record import Candidate, Errors, Experiment
 from playground.measure.rows import Row, cases, ratio
+from playground.measure.timing import frames_of
 
 PRECISIONS = ("float16", "float32", "float64")
 RENDERERS = {"GL": "gl", "NumPy": "numpy"}

@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 
 from playground.measure.blocks_box import blocks_box, empty_box
 from playground.measure.experiments.sentences import listed, of, percent, sentence
-from playground.measure.pictures import rounds_of
 from playground.measure.record import Candidate, Errors, Experiment, Timer
 from playground.measure.row_methods import row_maker
 from playground.measure.rows import Row, cases
+from playground.measure.timing import rounds_of
 from playground.render.radiosity.factor.matrix import FormFactors
 from playground.render.radiosity.patch.patches import Patches
 from playground.render.radiosity.solver.solve import System, solution

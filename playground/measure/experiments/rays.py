@@ -15,11 +15,12 @@ from playground.measure.experiments.sentences import listed, of, sentence, times
 from playground.measure.peer_mitsuba import INSTALLED as MITSUBA_INSTALLED
 from playground.measure.peer_mitsuba import NAME as MITSUBA
 from playground.measure.peer_mitsuba import mitsuba_asked
-from playground.measure.pictures import picture, picture_errors, timed
+from playground.measure.pictures import picture, picture_errors
 from playground.measure.ray_kinds import Rays, bumpy_ball, ray_kinds
 from playground.measure.record import Batch, Candidate, Errors, Experiment, Timer
 from playground.measure.room_floor import DEPTH, RoomFloor, room_setup, swayed
 from playground.measure.rows import Row, cases
+from playground.measure.timing import timed
 from playground.render.gl.context import headless
 from playground.render.gl.trace.ray_batch import RayBatch
 from playground.render.image import Image
@@ -105,7 +106,7 @@ def _mesh(kind: str, method: str, size: Size) -> Candidate:
 
 
 def hit_errors(got: NDArray[Any], want: NDArray[Any]) -> Errors:
-    """How far t is off for rays that hit in both; ``left_out`` are those that hit in one only."""
+    """How far t (N,) is off for rays that hit in both; ``left_out`` are those that hit in one."""
     both = (got >= 0.0) & (want >= 0.0)
     off = np.abs(got - want)[both].astype(np.float64)
     lone = int(((got >= 0.0) != (want >= 0.0)).sum())

@@ -8,9 +8,9 @@ from functools import lru_cache
 
 from playground.measure.experiments.sentences import of, percent, reach, sentence, times
 from playground.measure.gathered import REFERENCE, Gathered, gathered_picture, light_errors
-from playground.measure.pictures import timed
 from playground.measure.record import Batch, Candidate, Errors, Experiment, Timer
 from playground.measure.rows import Row, slope
+from playground.measure.timing import timed
 from playground.render.radiosity.result import Radiosity, radiosity
 from playground.render.renderer import open_renderer
 from playground.scene.library import load

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from playground.measure.experiments.sentences import of, percent, sentence, times
-from playground.measure.pictures import frames_of, picture, picture_errors
+from playground.measure.pictures import picture, picture_errors
 from playground.measure.record import Candidate, Errors, Experiment
 from playground.measure.rows import Row, cases, ratio
+from playground.measure.timing import frames_of
 from playground.scene.library import load
 
 SCENES = ("whitted-room", "sphere-row", "glass-of-water", "glass-ring", "area-light", "teapot")
