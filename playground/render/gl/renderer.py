@@ -54,6 +54,7 @@ class GLRenderer:
         self._targets: dict[tuple[str, int], Target] = {}
         self._drawn: tuple[Scene | None, Settings | None] = (None, None)
         self._surfaces: tuple[Surface, ...] = ()
+        self._wanted: dict[tuple[int, bool, bool], Needs] = {}  # all that the camera can change
         self._frames = 0
 
     @property
@@ -113,15 +114,26 @@ class GLRenderer:
         """Draw ``setup`` into ``target`` and leave it on the GPU."""
         self._notice(setup)
         view = view_of(setup.camera, self._surfaces, self.size)
-        target.begin(_background(setup, target.dtype == "f1"))
+        background = self._background_of(setup)
+        if target.dtype == "f1":
+            red, green, blue = shown_colour(background, setup.settings)
+            background = float(red), float(green), float(blue)
+        target.begin(background)
         for number, surface in enumerate(self._surfaces):
-            wanted = needs(surface, view, setup.settings, target.dtype == "f1")
+            two_sided = view.two_sided(surface)
+            key = (number, two_sided, target.dtype == "f1")
+            if key not in self._wanted:
+                self._wanted[key] = needs(surface, view, setup.settings, target.dtype == "f1")
+            wanted = self._wanted[key]
             program = self._program(wanted, number, surface, setup.settings)
-            self._draw_surface(surface, view, wanted, program)
+            self._draw_surface(surface, view, wanted, program, two_sided)
 
     def _surfaces_of(self, setup: Setup) -> tuple[Surface, ...]:
         """What is drawn of ``setup``: asked anew when the scene or the settings have changed."""
         return surfaces(setup.scene, setup.settings.weights)
+
+    def _background_of(self, setup: Setup) -> tuple[float, float, float]:
+        return setup.scene.background
 
     def _notice(self, setup: Setup) -> None:
         """Prepare the surfaces anew unless only the camera has moved."""
@@ -134,6 +146,7 @@ class GLRenderer:
         for program in self._baked.values():
             program.release()
         self._baked.clear()
+        self._wanted.clear()
         self._forget()
 
     def _forget(self) -> None:
@@ -149,7 +162,9 @@ class GLRenderer:
         for number in [number for number in self._textures if number not in texels][:-KEPT]:
             self._textures.pop(number)[1].release()
 
-    def _draw_surface(self, surface: Surface, view: View, wanted: Needs, program: Program) -> None:
+    def _draw_surface(
+        self, surface: Surface, view: View, wanted: Needs, program: Program, two_sided: bool
+    ) -> None:
         import moderngl
 
         values = view_uniforms(surface, view, wanted.precision)
@@ -160,7 +175,7 @@ class GLRenderer:
             self._texture(surface.stored.texels).use(SAMPLERS["lightmap_texels"])
 
         # The picture is drawn upside down, which turns every winding around.
-        cull = not view.two_sided(surface)
+        cull = not two_sided
         self._context.front_face = "ccw" if surface.mirrored else "cw"
         self._context.enable_only(moderngl.DEPTH_TEST | (moderngl.CULL_FACE if cull else 0))
         buffers = self._mesh(surface, wanted)
@@ -241,11 +256,3 @@ class GLRenderer:
 
     def __exit__(self, *error: object) -> None:
         self.close()
-
-
-def _background(setup: Setup, codes: bool) -> tuple[float, float, float]:
-    background = setup.scene.background
-    if codes:
-        red, green, blue = shown_colour(background, setup.settings)
-        return float(red), float(green), float(blue)
-    return background
