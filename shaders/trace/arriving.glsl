@@ -10,8 +10,9 @@ bool stops(float t, float limit) {
     return t > 0.0 && t < limit;
 }
 
-#define STOP(n, t) { bool there = stops(t, limit); blocked = blocked || (n != lamp && there); }
-#define STOP_BALL(i, n, m) STOP(n, meet_ball(i, origin, direction))
+#define BLOCK(n, stopped) { bool there = stopped; blocked = blocked || (n != lamp && there); }
+#define STOP(n, t) BLOCK(n, stops(t, limit))
+#define STOP_BALL(i, n, m) BLOCK(n, ball_stops(i, origin, direction, limit))
 #define STOP_SQUARE(i, n, m) STOP(n, meet_square(i, origin, direction))
 #define STOP_DISC(i, n, m) STOP(n, meet_disc(i, origin, direction))
 #define STOP_OVAL(i, n, m) STOP(n, MEET_IN(i, meet_sphere))

@@ -33,5 +33,8 @@ vec3 lit(Point point, vec3 start, vec3 to_eye, Material material, vec3 to_light,
 #endif
     bool seen = dot(point.normal, to_light) > 0.0 && dot(point.side, to_light) > 0.0;
     if (!seen) colour = vec3(0.0);
-    return arriving(start, way, largest(colour) > 0.0 ? limit : NO_WAY, NO_LAMP) * colour;
+#if MESHES > 0
+    limit = largest(colour) > 0.0 ? limit : NO_WAY;
+#endif
+    return arriving(start, way, limit, NO_LAMP) * colour;
 }

@@ -36,7 +36,7 @@
 vec3 direct(Point point, vec3 to_eye, Material material) {
     vec3 colour = vec3(0.0);
 #if DIFFUSE || SPECULAR
-    vec3 start = offset_ray(point.position, point.side, point.error);
+    vec3 start = beside(point, point.side);
     EACH_DIRECTIONAL(ADD_DIRECTIONAL)
     EACH_POINT(ADD_POINT)
     EACH_SPOT(ADD_SPOT)

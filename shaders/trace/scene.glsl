@@ -44,6 +44,13 @@ struct Point {             // where a ray met a solid
     vec2 texcoord;
 };
 
+// Where a ray starts that leaves on a side: twice the bound on the error away. The bound is far
+// more than the point's own error and the rounding of this sum, so that no coordinate needs to be
+// rounded away as offset_ray of lib/ray.glsl does; see playground/render/gl/trace/uniforms.py.
+vec3 beside(Point point, vec3 side) {
+    return point.position + 2.0 * point.error * side;
+}
+
 struct Material {
     vec3 diffuse;
     vec3 specular;

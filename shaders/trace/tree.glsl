@@ -58,7 +58,7 @@ vec3 light_along(vec3 origin, vec3 direction, float limit, out float covered, ou
 #if NESTED
         if (met && at.passing && passed < PASSES) {
             ++passed;
-            origin = offset_ray(point.position, -point.side, point.error);
+            origin = beside(point, -point.side);
             inside = at.after;
             continue;
         }
@@ -71,17 +71,15 @@ vec3 light_along(vec3 origin, vec3 direction, float limit, out float covered, ou
         Share mirrored = met ? weight * at.mirrored : Share(0.0);
         bool bounces = depth < DEPTH && largest(mirrored) >= max(threshold, LEAST);
         lost += bounces ? Share(0.0) : mirrored;
-        Ray next = Ray(offset_ray(point.position, point.side, point.error),
-                       unit_moderate(reflection(at.normal, -direction)), mirrored, depth + 1 AND(at.before));
+        Ray next = Ray(beside(point, point.side), reflection(at.normal, -direction), mirrored AND(at.before));
 #if TRANSMISSION
         Share through = met ? weight * at.through : Share(0.0);
         bool enters = depth < DEPTH && largest(through) >= max(threshold, LEAST);
         lost += enters ? Share(0.0) : through;
-        Ray bent = Ray(offset_ray(point.position, -point.side, point.error),
-                       unit_moderate(refraction(at.normal, -direction, at.index_i, at.index_t)),
-                       through, depth + 1 AND(at.after));
+        Ray bent = Ray(beside(point, -point.side), refraction(at.normal, -direction, at.index_i, at.index_t),
+                       through AND(at.after));
 #if BRANCHING
-        push(next, bounces && enters);
+        push(next, depth, bounces && enters);
 #endif
         next = chosen(enters, bent, next);
         bool goes_on = bounces || enters;
@@ -90,14 +88,14 @@ vec3 light_along(vec3 origin, vec3 direction, float limit, out float covered, ou
 #endif
 #if BRANCHING
         if (!goes_on && waiting == 0) break;
-        next = pop(!goes_on, next);
+        pop(!goes_on, next, depth);
 #else
         if (!goes_on) break;
 #endif
         origin = next.origin;
         direction = next.direction;
         weight = next.weight;
-        depth = next.depth;
+        ++depth;
 #if MEDIA > 0
         inside = next.inside;
 #endif

@@ -11,7 +11,6 @@ struct Ray {
     vec3 origin;
     vec3 direction;
     Share weight;
-    int depth;
 #if MEDIA > 0
     uint inside;
 #endif
@@ -20,33 +19,48 @@ struct Ray {
 Ray chosen(bool first, Ray a, Ray b) {
     return Ray(first ? a.origin : b.origin,
                first ? a.direction : b.direction,
-               first ? a.weight : b.weight,
-               first ? a.depth : b.depth AND(first ? a.inside : b.inside));
+               first ? a.weight : b.weight AND(first ? a.inside : b.inside));
 }
 
 #if BRANCHING
-// A stack with one place per depth. Of an array with an index that differs from pixel to pixel
-// llvmpipe reads and writes one pixel after the other: a few choices per place are faster.
 Ray stack[DEPTH];
-int waiting;
+int waiting;               // 0 for none
 
-void push(Ray ray, bool really) {
 #if DEPTH <= 8
-    for (int k = 0; k < DEPTH; ++k) stack[k] = chosen(really && k == waiting, ray, stack[k]);
-#else
-    if (really) stack[waiting] = ray;
-#endif
-    waiting += really ? 1 : 0;
+// A place per depth, and a bit of `waiting` for each that is taken. Of an array with an index that
+// differs from pixel to pixel llvmpipe reads and writes one pixel after the other: a few choices
+// per place are faster.
+void push(Ray ray, int depth, bool really) {
+    for (int k = 0; k < DEPTH; ++k)
+        if (really && k == depth) stack[k] = ray;
+    waiting |= really ? 1 << depth : 0;
 }
 
-// The ray that has waited shortest, or the given one.
-Ray pop(bool really, Ray ray) {
-    waiting -= really ? 1 : 0;
-#if DEPTH <= 8
-    for (int k = 0; k < DEPTH; ++k) ray = chosen(really && k == waiting, stack[k], ray);
-#else
-    if (really) ray = stack[waiting];
-#endif
-    return ray;
+// The ray that has waited shortest, and the depth at which it began to; or the given ones.
+void pop(bool really, inout Ray ray, inout int depth) {
+    for (int k = 0; k < DEPTH; ++k) {
+        if (really && (waiting & 1 << k) != 0) {
+            ray = stack[k];
+            depth = k;
+        }
+    }
+    waiting &= really ? ~(1 << depth) : ~0;
 }
+#else
+int depths[DEPTH];
+
+void push(Ray ray, int depth, bool really) {
+    if (really) {
+        stack[waiting] = ray;
+        depths[waiting++] = depth;
+    }
+}
+
+void pop(bool really, inout Ray ray, inout int depth) {
+    if (really) {
+        ray = stack[--waiting];
+        depth = depths[waiting];
+    }
+}
+#endif
 #endif

@@ -2,13 +2,19 @@
 #include "trace/tree.glsl"
 #include "present.glsl"
 
+// From trace/whitted.vert:
+flat in vec3 ray_origin;
+flat in vec3 ray_first;
+flat in vec3 ray_column;
+flat in vec3 ray_row;
+
 layout(location = 0) out vec4 colour_out;
 layout(location = 1) out vec4 left_out;     // the weight of rays that were not shot
 
 void main() {
     vec2 pixel = gl_FragCoord.xy - 0.5;
-    vec3 direction = first_ray + pixel.x * next_column + pixel.y * next_row;
-    vec3 origin = camera;
+    vec3 direction = ray_first + pixel.x * ray_column + pixel.y * ray_row;
+    vec3 origin = ray_origin;
     float limit = FAR;
 #if CLIPPED
     origin += reach.x * direction;

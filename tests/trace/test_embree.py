@@ -7,7 +7,7 @@ import pytest
 
 import playground as pg
 from playground.errors import PlaygroundError
-from playground.measure.ray_rates import bumpy_ball, ray_kinds
+from playground.measure.ray_kinds import bumpy_ball, ray_kinds
 from playground.render.trace import walk
 from playground.render.trace.bvh import bvh_of
 from playground.scene.shapes_curved import icosphere

@@ -68,7 +68,13 @@ class Layout:
 
 
 def layout_of(scene: TracedScene) -> Layout:
-    """The layout of a scene made ready for tracing."""
+    """The layout of a scene made ready for tracing.
+
+    Raises
+    ------
+    PlaygroundError
+        More solids of glass than a ray can remember, see `MOST_MEDIA`.
+    """
     tracked = needs_media(scene)
     if tracked and len(scene.media.solids) > MOST_MEDIA:
         raise PlaygroundError(
@@ -119,7 +125,7 @@ def flattened(solid: Solid) -> bool:
 
 
 def without_dust(matrix: Array) -> Array:
-    """A matrix without what no float32 would notice beside the largest of a row.
+    """A matrix (R, C) without what no float32 would notice beside the largest of a row.
 
     Turned by a right angle, a row has 6e-17 where 0 is meant.
     """

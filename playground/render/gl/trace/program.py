@@ -23,7 +23,7 @@ def sources_of(
     if len(shininess) == 1 and shininess <= set(range(1, 33)):
         symbols["WHOLE_EXPONENT"] = int(shininess.pop())
     fragment = assemble("trace/whitted.frag", symbols)
-    return assemble("trace/screen.vert"), bake(fragment, _named(constants or {}, symbols))
+    return assemble("trace/whitted.vert"), bake(fragment, _named(constants or {}, symbols))
 
 
 def _named(constants: Mapping[str, Any], symbols: Mapping[str, object]) -> dict[str, Any]:

@@ -9,9 +9,9 @@ import numpy as np
 from playground.render.gl.trace.layout import Layout, layout_of
 from playground.render.gl.trace.trees import Trees, trees_of
 from playground.render.gl.trace.uniforms import Values, scene_values
-from playground.render.surface import Surface
 from playground.render.trace.traced_scene import TracedScene, prepare
 from playground.render.view import View, view_of
+from playground.scene.camera import Camera
 from playground.scene.setup import Setup
 
 STEADY = 8  # frames with the same scene and settings before their numbers become constants
@@ -50,13 +50,14 @@ class Standing:
         self.placed: Placed | None = None
         self.steady = False
         self._frames = 0
+        self._seen: tuple[Placed, Camera, tuple[int, int], View] | None = None
 
     def place(self, setup: Setup, size: tuple[int, int]) -> Placed:
         """The scene of ``setup``, in the space of its own camera or, steady, of an earlier one."""
         before = self.placed.scene.setup if self.placed is not None else None
         same = before is not None and before.scene is setup.scene
         same = same and before is not None and before.settings is setup.settings
-        if not same or (self.steady and not self._holds(setup)):
+        if not same or (self.steady and not self._holds(setup, size)):
             self._frames, self.steady = 0, False
         if self.steady and self.placed is not None:
             return self.placed
@@ -68,7 +69,16 @@ class Standing:
         self.steady = self._frames > STEADY
         return self.placed
 
-    def _holds(self, setup: Setup) -> bool:
+    def view(self, camera: Camera, size: tuple[int, int]) -> View:
+        """How a camera sees the scene that is placed; made once for all who ask."""
+        assert self.placed is not None
+        asked = self.placed, camera, size
+        if self._seen is None or self._seen[:3] != asked:
+            surfaces = tuple(solid.surface for solid in self.placed.scene.solids)
+            self._seen = *asked, view_of(camera, surfaces, size)
+        return self._seen[3]
+
+    def _holds(self, setup: Setup, size: tuple[int, int]) -> bool:
         """Whether float32 has digits enough for this camera in the space of an earlier one."""
         assert self.placed is not None
         scene, before = self.placed.scene, self.placed.scene.setup.camera
@@ -77,7 +87,7 @@ class Standing:
             return True
         if bool(camera.near or camera.far) != bool(before.near or before.far):
             return False
-        view = view_of(camera, surfaces_of(scene), scene.size)
+        view = self.view(camera, size)
         eye = scene.view.relative(view.eye)
         in_glass = any(
             np.linalg.norm(eye - scene.solids[n].ball[0]) <= scene.solids[n].ball[1]
@@ -86,8 +96,3 @@ class Standing:
         smallest = min((solid.ball[1] for solid in scene.solids), default=1.0)
         near = 1.0 + float(np.abs(eye).max()) <= smallest / SMALLEST
         return near and not in_glass and 0.25 <= view.scale / scene.view.scale <= 4.0
-
-
-def surfaces_of(scene: TracedScene) -> tuple[Surface, ...]:
-    """What the near and the far plane are fitted to."""
-    return tuple(solid.surface for solid in scene.solids)

@@ -18,7 +18,8 @@ class Sums:
     """Two pictures on the GPU: colour with coverage, and the weights of rays not shot.
 
     ``dtype`` is ``"f1"`` for 8-bit codes, of which only one sample can be taken, or ``"f4"``.
-    Row 0 is on top, as in all targets.
+    Row 0 is on top, as in all targets. Weights that are the same in red, green and blue are kept
+    once (`keep_lost`): writing four of them takes a tenth of the time of a picture on llvmpipe.
     """
 
     def __init__(self, context: moderngl.Context, size: tuple[int, int], dtype: str) -> None:
@@ -29,10 +30,22 @@ class Sums:
         self.rows: tuple[int, int] | None = None  # from and up to which is drawn; None for all
         try:
             self.colour = context.texture(size, 4, dtype=dtype)
-            self.lost = context.texture(size, 4, dtype="f4")
-            self._framebuffer = context.framebuffer([self.colour, self.lost])
+            self._lose_into(4)
         except Exception as error:  # moderngl has one kind for all
             raise _too_large(size, "what fits into the memory of the driver") from error
+
+    def _lose_into(self, numbers: int) -> None:
+        self.lost = self._context.texture(self.size, numbers, dtype="f4")
+        self._framebuffer = self._context.framebuffer([self.colour, self.lost])
+
+    def keep_lost(self, grey: bool) -> None:
+        """Make room for weights of one number or of three; what was kept in other room is gone."""
+        numbers = 1 if grey else 4
+        if self.lost.components != numbers:
+            rest(self._context)
+            self._framebuffer.release()
+            self.lost.release()
+            self._lose_into(numbers)
 
     def begin(self) -> None:
         """Forget earlier samples, of ``rows`` only if some are given."""
@@ -53,9 +66,10 @@ class Sums:
 
     def read_lost(self) -> NDArray[np.float32]:
         """The weights of the rays that were not shot, (H, W, 3)."""
-        out = np.empty((self.size[1], self.size[0], 4), dtype=np.float32)
-        self._framebuffer.read_into(out, components=4, attachment=1, alignment=1, dtype="f4")
-        return np.ascontiguousarray(out[..., :3])
+        numbers = self.lost.components
+        out = np.empty((self.size[1], self.size[0], numbers), dtype=np.float32)
+        self._framebuffer.read_into(out, components=numbers, attachment=1, alignment=1, dtype="f4")
+        return np.ascontiguousarray(np.broadcast_to(out[..., :3], (*out.shape[:2], 3)))
 
     def release(self) -> None:
         """Free the GPU memory."""

@@ -14,16 +14,15 @@ from playground.render.checks import check_out, check_setup
 from playground.render.gl import context as gl_context
 from playground.render.gl.program import Program
 from playground.render.gl.source import assemble
-from playground.render.gl.trace.features import display_symbols, symbols_of, unrolled
+from playground.render.gl.trace.features import Symbols, display_symbols, symbols_of, unrolled
 from playground.render.gl.trace.program import TraceProgram
-from playground.render.gl.trace.standing import Placed, Standing, surfaces_of
+from playground.render.gl.trace.standing import Placed, Standing
 from playground.render.gl.trace.sums import Sums
 from playground.render.gl.trace.textures import Textures
 from playground.render.gl.trace.uniforms import camera_values
 from playground.render.image import Image, LeftOut
 from playground.render.numpy_renderer import sample_offsets
 from playground.render.trace.warn import warnings_of
-from playground.render.view import view_of
 from playground.scene.setup import Setup
 
 if TYPE_CHECKING:
@@ -50,6 +49,7 @@ class GLTracer:
         self._standing = Standing()
         self._programs: dict[Key, TraceProgram] = {}
         self._baked: tuple[Placed | None, Key, TraceProgram | None] = (None, (), None)
+        self._asked: tuple[Placed, bool, bool, Symbols] | None = None
         self._shows: dict[Key, Program] = {}
         self._textures = Textures(self._context)
         self._sums: dict[str, Sums] = {}
@@ -164,12 +164,14 @@ class GLTracer:
         placed = self._standing.placed if again else None
         placed = placed or self._standing.place(setup, self.size)
         self._textures.check(placed)
-        view = view_of(setup.camera, surfaces_of(placed.scene), self.size)
-        program = self._program(placed, display, samples > 1)
+        view = self._standing.view(setup.camera, self.size)
+        symbols = self._symbols(placed, display, samples > 1)
+        program = self._program(placed, symbols)
         program.write(camera_values(view, placed.view, setup.camera, self.size, offset))
         program.write({"sample_share": 1.0 / samples})
         program.write({"around_eye": np.array([placed.media_around(setup)], dtype=np.uint32)})
         self._textures.bind(placed, program)
+        sums.keep_lost(bool(symbols["GREY"]))
         if first:
             sums.begin()
         else:
@@ -187,9 +189,16 @@ class GLTracer:
 
         return moderngl.BLEND | moderngl.DEPTH_TEST | moderngl.CULL_FACE
 
-    def _program(self, placed: Placed, display: bool, accumulate: bool) -> TraceProgram:
+    def _symbols(self, placed: Placed, display: bool, accumulate: bool) -> Symbols:
+        """What the program for a scene is made of; a scene that stays is asked once."""
+        asked = placed, display, accumulate
+        if self._asked is None or self._asked[:3] != asked:
+            made = symbols_of(placed.scene, placed.layout, placed.trees, display, accumulate)
+            self._asked = *asked, made
+        return self._asked[3]
+
+    def _program(self, placed: Placed, symbols: Symbols) -> TraceProgram:
         """The program for a scene, its numbers uploaded or, once they stay, built in."""
-        symbols = symbols_of(placed.scene, placed.layout, placed.trees, display, accumulate)
         key = tuple(symbols.items())
         known = self._baked[0] is placed and self._baked[1] == key
         if self._standing.steady and unrolled(placed.layout) and (self.bakes or known):

@@ -1,0 +1,18 @@
+// One triangle that covers the picture, and what makes the rays of its pixels. `flat` hands numbers on
+// untouched: llvmpipe loads them once, but a uniform anew for every 8 pixels, and a camera that
+// moves has twelve.
+#include "interface/trace_rays.glsl"
+
+flat out vec3 ray_origin;
+flat out vec3 ray_first;
+flat out vec3 ray_column;
+flat out vec3 ray_row;
+
+void main() {
+    vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
+    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
+    ray_origin = camera;
+    ray_first = first_ray;
+    ray_column = next_column;
+    ray_row = next_row;
+}
