@@ -12,6 +12,7 @@ from playground.lesson import figure, goal, listing, number, plot, predict, show
 
 SIZE = (480, 360)
 teapot = pg.load("teapot")
+show(teapot)
 
 # %% [markdown] slides=[11] minutes=4
 # ## Small programs, run very often
@@ -191,7 +192,7 @@ predict(
 )
 
 # %% [markdown]
-# The fragment stage of per-vertex lighting. In `front_rest` arrives the mixture of colours:
+# The fragment stage of per-vertex lighting. The mixture of colours arrives in `front_rest`:
 
 # %%
 colour_stage = listing("colour.frag", first="void main", last="}", plain=True)
@@ -237,18 +238,20 @@ number("same", sum(other == translated for other in others), expected=2)
 words = glsl.split(), translated.split()
 number("changed", sum(a != b for a, b in zip(*words, strict=True)), expected=2)
 number("of", len(words[0]), expected=11)
-show(teapot, panel="Terms")
+show(teapot, panel="Shaders")
 
 # %% [markdown]
 # With `vec3` replaced by `float3`, {changed:.0f} words of {of:.0f}, it is the same text in
 # {same:.0f} other languages. Whole shaders differ a little more: in how they name what goes in
-# and out, and in how a matrix is multiplied.
+# and out, and in how a matrix is multiplied. In the window they are below the picture now; where
+# there is room, their twins are beside them.
 
 # %% [markdown] minutes=2
 # ## Try this
 #
-# F4 shows the shaders that run. Change a line, and the picture follows; nothing is written to the
-# disk. In the last line of `phong.frag`, for example, show the normal in place of the light:
+# F4 shows the shaders that run, and hides them. Change a line, and the picture follows; nothing is
+# written to the disk. In the last line of `main` in `phong.frag`, for example, show the normal in
+# place of the light:
 #
 # ```
 # colour = vec4(0.5 + 0.5 * unit_normal, 1.0);

@@ -25,6 +25,7 @@ triangle = pg.load("sphere").with_(
     background=(1, 1, 1),
 )
 SIZE = (240, 180)
+show(triangle)
 
 # %% [markdown] slides=[12] minutes=4
 # ## What the rasteriser does
@@ -157,11 +158,18 @@ show(teapot)
 # %% [markdown] slides=[13] minutes=4
 # ## The lost highlight
 #
-# A shiny floor of just two triangles, a lamp above it.
+# A shiny floor of just two triangles, a lamp above it. At first the model is evaluated at each
+# pixel.
 
 # %%
+floor = pg.load("missed-highlight").with_(shading="per-vertex")
+show(
+    floor.with_(shading="per-fragment"),
+    "Lit at each pixel, the floor has a highlight inside one of its two triangles.",
+    shows=lambda picture: picture.pixels[:, :240].min(axis=2).max() > 0.9,
+)
 predict(
-    "With per-vertex lighting, what has become of the highlight in the middle of the floor?",
+    "With per-vertex lighting, what becomes of the highlight?",
     "it is there, a little blurred",
     "it is spread evenly over the triangle",
     "it is gone",
@@ -170,10 +178,8 @@ predict(
     "from nothing is nothing.",
 )
 
+
 # %%
-floor = pg.load("missed-highlight").with_(shading="per-vertex")
-
-
 def highlight(setup, size=SIZE):
     """The picture of the specular term alone, its first channel."""
     alone = setup.with_(terms=["specular"], background=(0, 0, 0))
@@ -206,7 +212,7 @@ figure(
         and np.allclose(a.pixels[5, 5], b.pixels[5, 5])
     ),
 )
-show(floor, beside="per-fragment", pixel=(0.41, 0.52))
+show(floor, beside="per-fragment", pixel=(float(x + 0.5) / SIZE[0], float(y + 0.5) / SIZE[1]))
 
 # %% [markdown]
 # Where the highlight should be, it has brightness {everywhere:.1f}. Of the corners of that triangle

@@ -14,6 +14,7 @@ from playground.lesson import figure, goal, listing, number, plot, predict, show
 SIZE = (240, 180)
 WAYS = ("per-vertex", "per-fragment")
 floor = pg.load("missed-highlight")
+show(floor.with_(shading="per-vertex"))
 
 
 def both(setup, size=SIZE):
@@ -50,7 +51,12 @@ figure(
     names=["per vertex", "per fragment"],
     shows=lambda a, b: b.pixels.max() > 1 > a.pixels.max() > 2 * a.pixels[5, 5].max(),
 )
-show(ball.with_(shading="per-fragment"), beside="per-vertex", pixel=(0.52, 0.48), panel="Explain")
+show(
+    ball.with_(shading="per-fragment"),
+    beside="per-vertex",
+    pixel=((pixel[0] + 0.5) / SIZE[0], (pixel[1] + 0.5) / SIZE[1]),
+    panel="Explain",
+)
 
 # %% [markdown]
 # The highlight is round, though the triangles are as coarse as before; one sees them at the outline

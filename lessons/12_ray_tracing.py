@@ -14,6 +14,7 @@ from playground.lesson import figure, goal, number, plot, predict, show
 SIZE = (240, 180)
 TRACED = {"method": "ray-tracing"}
 room = pg.load("whitted-room")
+show(room, **TRACED)
 
 
 def rays_behind(setup, x, y):
@@ -43,7 +44,7 @@ show(
     room,
     "Whitted's room: a mirror ball, a glass ball, a lamp at the ceiling.",
     shows=lambda picture: picture.pixels[190:240, 150:210].std() > 0.05,
-    pixel=(0.5, 0.9),
+    pixel=(240.5 / 480, 340.5 / 360),
     panel="Explain",
     **TRACED,
 )
@@ -116,7 +117,7 @@ drawn = pg.render(room, (480, 360), **TRACED).pixels[240, 330]
 # The GPU computes in float32; a few roundings of 6e-8 at each of three boundaries.
 number("off", np.abs(drawn - in_glass.colour).max(), expected=0, tolerance=1e-5)
 number("main", 100 * nodes[5].added[0] / in_glass.colour[0], expected=96, tolerance=1)
-show(room, pixel=(0.67, 0.59), panel="Explain", **TRACED)
+show(room, pixel=(330.5 / 480, 240.5 / 360), panel="Explain", **TRACED)
 
 # %% [markdown]
 # It would be {worst:.0f} rays at worst. In truth there are {rays:.0f}; each with its weight in the

@@ -35,7 +35,7 @@ show(
 # ## Snell's law
 #
 # A clear medium has a *refractive index* $n$: air 1, water 1.333, glass about 1.5. It says how many
-# times slower than in empty space light is there. A ray that meets the boundary at an angle
+# times slower light is there than in empty space. A ray that meets the boundary at an angle
 # $\theta_1$ to the normal goes on at another angle, $\theta_2$.
 #
 # Here is a pool, full to the brim.
@@ -260,7 +260,7 @@ figure(
 # Beyond the *critical angle*, where $\sin\theta_1 = n_2/n_1$, everything is reflected. From water
 # to air that is {critical:.1f}°. In the picture the sky ends at {window:.1f}°, counted in
 # pixels: the whole sky, from horizon to horizon, is squeezed into that window. Divers know it;
-# glass fibres live on it. From the thin side to the dense side there is no such angle.
+# glass fibres live on it. From air into water there is no such angle.
 
 # %%
 tilted = dive.with_(target=(0, -0.5, 1), up=(0, 1, 0), fov=40)
@@ -279,8 +279,8 @@ goal(
         (node := middle_ray(setup)).critical is not None
         and abs(node.incidence - node.critical) < 0.5
     ),
-    hint="Turn the camera (panel View, target) until the edge of the window is in the middle. "
-    "Explain tells both angles.",
+    hint="Turn the camera (panel Scene, camera, target) until the edge of the window is in the "
+    "middle. Explain tells both angles.",
     solution=dive.with_(target=(0, 0, 1.5 * np.tan(np.radians(critical))), up=(0, 1, 0), fov=40),
 )
 
@@ -399,6 +399,7 @@ show(glass, panel="Material", **TRACED)
 # With index 1 the lower part of the straw is {straight:.1f} pixels beside the line of its upper
 # part; in water it is {broken:.0f} pixels to the left of that line, more than its width of
 # {wide:.0f}. Of a clear thing one sees only that the index changes, and its colour, if it has one.
+# In the window, choose object 3 in the panel Material and turn its index.
 
 # %% [markdown] minutes=2
 # ## Try this

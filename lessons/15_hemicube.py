@@ -25,8 +25,8 @@ of_patches = pg.shading.polygon_pair.pair_form_factor
 
 # %%
 predict(
-    "The unit squares of lesson 14, a side apart: from patch to patch it is 0.200, from centre to "
-    "centre 0.318. From the centre of the one to all of the other it is",
+    "The form factor of the unit squares of lesson 14, a side apart, is 0.200 from patch to patch "
+    "and 0.318 from centre to centre. From the centre of the one to all of the other it is",
     "0.200 as well: the centre is the mean of all points",
     "between the two",
     "0.318 as well",
@@ -63,7 +63,7 @@ number("off_16", off[4], expected=off[2] / 4, tolerance=0.1)  # it falls as 1/nÂ
 # ## The hemisphere
 #
 # Nusselt found in 1928 how to *see* the form factor between $p$ and a patch $s_j$. Put a hemisphere
-# of radius 1 over $p$. Project the patch onto it, towards $p$; and what has become of it down onto
+# of radius 1 over $p$. Project the patch onto it, towards $p$, and the result straight down onto
 # the base.
 #
 # $$f = \frac{\mathrm{area\ on\ the\ base}}{\mathrm{area\ of\ the\ base}}$$
@@ -177,9 +177,9 @@ figure(
 )
 
 # %% [markdown]
-# Counted in the picture, the base is covered to {nusselt:.4f}, and that is the form factor. Of the
-# patch twice as far and twice as large it is {farther:.4f}. A photograph with a fisheye lens at $p$
-# would show the base just so.
+# Counted in the picture, {nusselt:.4f} of the base is covered, and that is the form factor. Of the
+# patch twice as far and twice as large it is {farther:.4f}. A fisheye lens of the kind that is
+# called orthographic, put at $p$, takes such photographs.
 
 # %% [markdown] tags=["notes"]
 # Hold a sheet of paper over a table and let the class guess the shadow's share. A patch near the
@@ -196,7 +196,27 @@ figure(
 # Its pixels do not all count alike. The form factor of each is a number that depends on where
 # the pixel is, and on nothing else: it can be *pre-computed*.
 
+
 # %%
+def onto_cube(points):
+    """Where the ways from p to these points pass through a cube of half edge 1."""
+    return points / np.abs(points).max(axis=1, keepdims=True)
+
+
+rim = np.array([(1, 1, 0), (-1, 1, 0), (-1, -1, 0), (1, -1, 0), (1, 1, 0)])
+halves = line(rim, GREY) + line(rim + up, GREY)
+for foot in rim[:4]:
+    halves += line([foot, foot + up], GREY)
+# Fine pieces, so that none cuts through the edge of the cube.
+fine = np.linspace(outline[:-1], outline[1:], 8, endpoint=False).transpose(1, 0, 2).reshape(-1, 3)
+halves += line(outline, YELLOW) + line(onto_cube(np.vstack([fine, fine[:1]])), ORANGE, 0.02)
+for i in (0, 8, 16, 24):
+    halves += line([NONE, outline[i]], YELLOW, 0.004)
+show(
+    nusselt.with_(objects=halves, eye=(3.6, 2.6, 3.8), target=(0.3, 0.5, -0.2), fov=35),
+    "The same patch (yellow) on half a cube (orange): on its top, and on one of its sides.",
+    shows=lambda picture: all(pixels_of(picture, c) > 200 for c in (YELLOW, ORANGE)),
+)
 predict(
     "Which pixel of the hemicube has the largest form factor?",
     "one in the middle of the top",
@@ -277,10 +297,11 @@ errors = np.array([[by_hemicube(turned(a), n) / exact - 1 for a in turns] for n 
 typical = np.sqrt(np.mean(errors**2, axis=1))
 plot(
     "The typical error of the hemicube, over 48 turns of the patch.",
-    x=(r"$\log_2$ of the pixels along an edge", np.log2(sizes)),
-    y=r"$\log_{10}$ of the error",
-    curves={"relative error": np.log10(typical)},
-    shows=lambda error: -1.3 < error[0] < -0.8 and all(np.diff(error) < -0.2),
+    x=("pixels along an edge", sizes),
+    y="error in %",
+    curves={"typical error": 100 * typical},
+    shows=lambda error: 5 < error[0] < 16 and all(error[1:] < error[:-1] / 1.6),
+    log="xy",
 )
 # Of 48 samples such a mean is known to 1/âˆš96 = 10 %; three times that.
 number("at_8", 100 * typical[0], expected=10, tolerance=3)
@@ -291,8 +312,8 @@ number("slope", -slope, expected=1.5, tolerance=0.3)
 number("shrinks", 2**-slope, expected=2**1.5, tolerance=0.7)
 
 # %% [markdown]
-# All pixels together have {sum_all:.0f}, as they must: they cover the hemisphere. The top alone
-# has {sum_top:.2f}, and its middle counts {most:.0f} times as much as the lowest corner of a side.
+# All pixels together count {sum_all:.0f}, as they must: they cover the hemisphere. The top alone
+# counts {sum_top:.2f}, and its middle {most:.0f} times as much as the lowest corner of a side.
 #
 # The form factor of a patch is now the sum over the pixels that it covers. Of the patch above, it
 # is {at_8:.0f} % off with 8 pixels along an edge and {at_64:.1f} % with 64. Each doubling makes
@@ -383,9 +404,9 @@ show(box, method="radiosity", panel="Form factors")
 
 # %% [markdown]
 # The patch sends {red:.0f} % of its light to the red wall, {lamp:.1f} % into the lamp, and
-# {open:.0f} % out of the open front. All of it sums to {sum:.0f}. One hemicube gives all the form
-# factors of a patch, one *row* of the table, at the price of five small pictures. With patches
-# for numbers in the place of objects, that is all there is to the method.
+# {open:.0f} % out of the open front. The shares of all sum to {sum:.0f}. One hemicube gives all the
+# form factors of a patch, one *row* of the table, at the price of five small pictures. Number the
+# patches in place of the objects, and that is all there is to the method.
 
 # %% [markdown] tags=["notes"]
 # The numbers are held against the closed form of the program, which takes all of the patch and not
@@ -401,15 +422,16 @@ show(box, method="radiosity", panel="Form factors")
 # it to all the others; then the next one.
 
 # %%
+count = len(result.patches)
 predict(
-    "The box has 298 patches, and the lamp is 2 of them. After how many shots has all the direct "
-    "light arrived?",
+    f"The box has {count} patches, and the lamp is 2 of them. After how many shots has all the "
+    "direct light arrived?",
     "2",
-    "298, one for each patch",
-    "596: each of the 298 has to be lit by both",
+    f"{count}, one for each patch",
+    f"{2 * count}: each of the {count} has to be lit by both",
     answer="2",
     why="Nothing but the lamp has light at the beginning. The first round of gathering does the "
-    "same, and needs all 298 rows of the table for it.",
+    f"same, and needs all {count} rows of the table for it.",
 )
 
 # %%

@@ -22,6 +22,7 @@ atexit.register(shutil.rmtree, folder, ignore_errors=True)
 SIZE = (320, 240)
 
 # %%
+show(box, method="radiosity")
 predict(
     "You walk through a room in which nothing moves but you. Which part of the light at a fixed "
     "spot of the wall changes?",
@@ -47,7 +48,6 @@ here, there = (
 )
 # A pixel is 2.6 mm of the wall, its middle known to a tenth of that; there 30 mm change 1 %.
 number("change", 100 * np.abs(there / here - 1).max(), expected=0, tolerance=0.01)
-show(box, method="radiosity")
 
 # %% [markdown]
 # Seen from a quarter of a metre to the side, the same spot of the wall has changed by
@@ -150,10 +150,11 @@ texels = [16, 32, 64]
 errors = np.array([error(size) for size in texels])
 plot(
     "Error of the lightmap against the closed form, for two plates.",
-    x=(r"$\log_2$ of the texels along an edge", np.log2(texels)),
-    y=r"$\log_{10}$ of the error",
-    curves={"relative error": np.log10(errors)},
-    shows=lambda error: all(np.diff(error) < -0.5) and error[-1] < -4,
+    x=("texels along an edge", texels),
+    y="error in %",
+    curves={"relative error": 100 * errors},
+    shows=lambda error: all(error[1:] < error[:-1] / 3) and error[-1] < 0.01,
+    log="xy",
 )
 number("coarse", 100 * errors[0], expected=0.08, tolerance=0.02)
 number(
@@ -163,7 +164,7 @@ sharp = [pg.render(baked(solution, size)[0], SIZE, method="lightmap") for size i
 sharp.append(pg.render(stored, SIZE, method="lightmap"))
 figure(
     sharp,
-    "Where the light is not smooth, few texels are seen: the shadows of the blocks.",
+    "Where the light is not smooth, too few texels show: look at the shadows of the blocks.",
     names=["24 × 24 texels", "40 × 40", "64 × 64"],
     shows=lambda a, b, c: (
         np.abs(a.pixels - c.pixels)[100:].mean()
@@ -175,8 +176,8 @@ show(stored, method="lightmap", panel="Lightmap")
 
 # %% [markdown]
 # With only 16 texels along an edge the light on the plates is {coarse:.2f} % off, and each doubling
-# makes the error {quotient:.1f} times smaller. The shadow of a block has an edge, though, and there
-# a texel is either in the light or not.
+# makes the error {quotient:.1f} times smaller. A shadow ends within a short way, though: where that
+# is narrower than a texel, its edge is lost, and a small shadow altogether.
 
 # %% [markdown] tags=["notes"]
 # 24 × 24 for the whole box: walls of some 5 × 5 texels. In the window, bake 128 or 256 in the panel
@@ -201,7 +202,7 @@ predict(
 # %%
 lamp = box.scene.lights[0]
 blue_lamp = pg.RectangleLight(
-    position=lamp.position, facing=lamp.facing, width=130, height=105, diffuse=(2, 5, 20)
+    position=lamp.position, facing=lamp.facing, width=130, height=105, diffuse=(0.05, 0.15, 20)
 )
 relit = stored.with_(lights=[blue_lamp])
 before, after = (pg.render(setup, SIZE, method="lightmap") for setup in (stored, relit))
@@ -240,14 +241,15 @@ show(relit, method="lightmap", beside="radiosity", layout="side by side")
 # %% [markdown] slides=[2] minutes=4
 # ## One scene, five answers
 #
-# The same box by every method of this course. Who is right? A fifth method decides: *path tracing*
-# sends rays at random from wall to wall and takes the mean. It is slow and grainy, but it assumes
-# nothing: no patches, no texels, no ambient term.
+# The same box by the four methods of this course: local illumination, ray tracing, radiosity, and
+# a lightmap. Who is right? A fifth method decides: *path tracing* sends rays at random from wall to
+# wall and takes the mean. It is slow and grainy, but it assumes nothing: no patches, no texels, no
+# ambient term.
 
 # %%
 predict(
-    "Of these four, which comes nearest to the truth in this box?",
-    "ray tracing",
+    "Which of the four comes nearest to the truth in this box?",
+    "ray tracing: it has the sharpest shadows",
     "radiosity with its 300 patches",
     "the lightmap of 64 × 64 texels that was baked from that radiosity",
     answer="the lightmap of 64 × 64 texels that was baked from that radiosity",
@@ -309,7 +311,7 @@ def of_region(name, method):
 # Of these two regions the reference is known to 8 % and to 13 % of what is there.
 number("guess", of_region("ceiling", "local"), expected=15, tolerance=9)
 number("red_side", of_region("its red side", "local"), expected=177, tolerance=13 * 2.77)
-show(box, method="ray-tracing", beside="radiosity", layout="side by side")
+show(stored, method="lightmap", layout="five answers")
 
 # %% [markdown]
 # Over seven regions of the picture, held against the path-traced means, which themselves are known
@@ -320,7 +322,7 @@ show(box, method="ray-tracing", beside="radiosity", layout="side by side")
 #   the red side of the block {red_side:.0f} %;
 # - radiosity with 300 patches is {solved:.0f} % wrong: shadows are as coarse as its patches;
 # - the lightmap that was baked from it is only {mapped:.0f} % wrong, as each texel has looked
-#   around for itself.
+#   around for itself: about as much as chance has done to the means.
 
 # %% [markdown] tags=["notes"]
 # What the box cannot tell: it has no mirror and no glass. With those, ray tracing is the only one
@@ -333,7 +335,7 @@ show(box, method="ray-tracing", beside="radiosity", layout="side by side")
 
 # %%
 predict(
-    "A game on a telephone, 60 pictures per second. An old house, its lamps fixed, warm light from "
+    "A game on a phone, 60 pictures per second. An old house, its lamps fixed, warm light from "
     "wall to wall; the player walks. Which method?",
     "ray tracing: it is the most general",
     "radiosity, solved for each picture",

@@ -10,7 +10,7 @@ from playground.lesson.mistake import LessonError
 from playground.lesson.parts import Lesson, Page, Text
 from playground.lesson.percent import Cell
 from playground.lesson.record import Recorder
-from playground.lesson.script import blocks_of, read_lesson
+from playground.lesson.script import blocks_of
 from playground.lesson.words import recording
 from playground.scene.setup import Setup
 
@@ -71,23 +71,6 @@ class Running:
         path = str(self.lesson.path)
         source = "\n" * (cell.line - 1) + cell.text  # so that Python counts lines as the file does
         exec(compile(source, path, "exec", dont_inherit=True), self._names)
-
-
-def run_whole(path: Path) -> tuple[Lesson, list[Page]]:
-    """The lesson in a file with all of its pages.
-
-    Raises
-    ------
-    PlaygroundError
-        It cannot be read.
-    LessonError
-        It is no lesson, or one of its cells fails.
-    """
-    lesson = read_lesson(path)
-    running = Running(lesson)
-    for _ in lesson.steps:
-        running.step()
-    return lesson, running.pages
 
 
 def mistake(error: BaseException, path: Path, line: int) -> LessonError:

@@ -6,7 +6,7 @@ from _thread import interrupt_main
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from threading import Event, Timer
+from threading import Event, Lock, Timer
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -48,17 +48,23 @@ def limited(file: Path) -> Iterator[None]:
     LessonError
         It did not; with the line in which it was.
     """
-    late = Event()
+    late, over, turn = Event(), Event(), Lock()
 
     def interrupt() -> None:
-        late.set()
-        interrupt_main()
+        with turn:
+            if not over.is_set():
+                late.set()
+                interrupt_main()
 
     timer = Timer(PATIENCE, interrupt)
     timer.daemon = True
     timer.start()
     try:
-        yield
+        try:
+            yield
+        finally:
+            with turn:  # an interrupt comes before this, where it is waited for, or never
+                over.set()
     except KeyboardInterrupt as error:
         if not late.is_set():  # somebody pressed Ctrl+C
             raise

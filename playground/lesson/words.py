@@ -64,10 +64,10 @@ def show(
     layout : str, optional
         Of the window: ``"side by side"`` (default with ``beside``), ``"wipe"``, ``"terms"``, ...
     pixel : (float, float), optional
-        The point that the window explains with its arrows, as shares of width and height. A
-        window is rarely as wide as a figure: only half the width is the same place in both.
+        What the window explains with its arrows, as shares of the width and height of the
+        picture in the handout. A window of another shape explains the same point.
     panel : str, optional
-        The panel that the window unfolds.
+        The panel that the window unfolds; ``"Shaders"`` is the one below the picture.
 
     Raises
     ------

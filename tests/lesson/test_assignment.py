@@ -164,10 +164,31 @@ def test_a_file_that_fails_is_told_with_its_line(text, line, words, tmp_path, ca
     ],
 )
 def test_what_does_not_end_is_stopped(text, line, tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(student, "PATIENCE", 0.2)
+    monkeypatch.setattr(student, "PATIENCE", 1.5)  # to get as far as the loop on any machine
     status, said = checked(tmp_path, capsys, text)
-    assert status == 2 and "no end after 0.2 seconds" in said.err
+    assert status == 2 and "no end after 1.5 seconds" in said.err
     assert any(f"student.py:{number}: " in said.err for number in line)
+
+
+def test_a_clock_that_runs_out_just_after_the_end_interrupts_nobody(tmp_path, monkeypatch):
+    clocks, interrupted = [], []
+
+    class Clock:
+        def __init__(self, _, deed):
+            self.run_out = deed
+            clocks.append(self)
+
+        start = cancel = lambda self: None
+
+    monkeypatch.setattr(student, "Timer", Clock)
+    monkeypatch.setattr(student, "interrupt_main", lambda: interrupted.append(True))
+    with student.limited(tmp_path / "student.py"):
+        clocks[0].run_out()
+        assert interrupted == [True]
+    with student.limited(tmp_path / "student.py"):
+        pass
+    clocks[1].run_out()
+    assert interrupted == [True]
 
 
 @pytest.mark.gl

@@ -4,13 +4,13 @@ import ast
 import re
 
 import pytest
+from whole import run_whole
 
 from playground import locate
 from playground.cli import main
 from playground.lesson.library import lessons, read_all, slide_titles
 from playground.lesson.page import page
 from playground.lesson.parts import Figure, Goal, Question
-from playground.lesson.run import run_whole
 from playground.lesson.script import read_lesson
 
 FILES = lessons()

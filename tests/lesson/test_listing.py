@@ -1,12 +1,12 @@
 """The word `listing`: lines of a shader as they stand in its file."""
 
 import pytest
+from whole import run_whole
 
 import playground as pg
 from playground import locate
 from playground.lesson import listing
 from playground.lesson.parts import Text
-from playground.lesson.run import run_whole
 
 
 def test_it_gives_the_lines_between_two_beginnings(capsys):

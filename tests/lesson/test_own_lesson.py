@@ -7,12 +7,12 @@ import subprocess
 import sys
 
 import pytest
+from whole import run_whole
 
 import playground as pg
 from playground.cli import main
 from playground.lesson.mistake import LessonError
 from playground.lesson.parts import Figure, Goal, Question, Text, View
-from playground.lesson.run import run_whole
 from playground.lesson.script import read_lesson
 
 
