@@ -21,8 +21,10 @@ from playground.gui.state import State
 from playground.gui.widget import out_of_sight, theme
 from playground.gui.widgets import Ui
 
-PANEL_WIDTH = 380.0  # pixels, at text size 1
+PANEL_WIDTH = 390.0  # pixels, at text size 1
 WIDEST_PANEL = 0.45  # of the window
+LEAST_VIEW = 0.36  # of the window: between lesson and controls, which give way for it
+NARROWEST = 290.0  # pixels that each of them keeps, at text size 1
 FIXED = (
     imgui.WindowFlags_.no_title_bar.value
     | imgui.WindowFlags_.no_resize.value
@@ -32,6 +34,7 @@ FIXED = (
     | imgui.WindowFlags_.no_bring_to_front_on_focus.value
     | imgui.WindowFlags_.no_nav_inputs.value
 )
+SETTLED = 5  # frames for which a panel that unfolds is kept on top
 WHEEL_PAUSE = 0.4  # seconds: notches of the wheel closer than this are one step of undo
 
 
@@ -81,7 +84,7 @@ def draw(
     ui.tracing, ui.atlas = told(slots.traced), slots.atlas
     state = slots.factors.advance(same_point.kept(state, ui.view), slots.stored.radiosity)
     ui.factors = slots.factors.now
-    ui.radiosity = radiosity_told.told(slots.stored)
+    ui.radiosity, ui.stored = radiosity_told.told(slots.stored), slots.stored
     if state.panel:
         _place(panel_box)
         state = _controls(state, ui)
@@ -113,12 +116,23 @@ def areas(state: State, scale: float) -> tuple[Box, Box, Box]:
     foot = 0 if presenting(state) and not state.failed else foot
     wide = round(min(PANEL_WIDTH * scale, WIDEST_PANEL * width)) if state.panel else 0
     low = shaders.height(state, height - foot)
-    read = lesson.width(state, width, scale)
+    read, wide = between(lesson.width(state, width, scale), wide, width, scale)
     return (
         (x + read, y, width - wide - read, height - foot - low),
         (x + width - wide, y, wide, height - foot),
         (x, y + height - foot, width, foot),
     )
+
+
+def between(read: int, wide: int, width: int, scale: float) -> tuple[int, int]:
+    """Widths of lesson and controls that leave room for the picture between them."""
+    if not (read and wide):
+        return read, wide
+    missing = max(round(LEAST_VIEW * width) - (width - read - wide), 0)
+    spare = [max(x - round(NARROWEST * scale), 0) for x in (read, wide)]
+    given = min(missing, sum(spare))
+    first = round(given * spare[0] / max(sum(spare), 1))
+    return read - first, wide - (given - first)
 
 
 def below(view: Box, panel: Box) -> Box:
@@ -156,20 +170,35 @@ def _place(box: Box) -> None:
 def _controls(state: State, ui: Ui) -> State:
     """The panels, one below the other."""
     imgui.begin("Controls", None, FIXED)
+    wanted = ""
     for name, panel in PANELS.items():
         if not shows(state, name):
             continue
         imgui.set_next_item_open(name in OPEN_AT_FIRST, imgui.Cond_.once)
         if name == state.unfold:
             imgui.set_next_item_open(True)
+        opened = imgui.collapsing_header(name)
+        if name == state.unfold:
             imgui.set_scroll_here_y(0.0)
-        if imgui.collapsing_header(name):
+            wanted = name if _unsettled(name) else ""
+        if opened:
             imgui.push_id(name)
             state = out_of_sight.drawn(panel, state, ui)
             imgui.pop_id()
             imgui.spacing()
     imgui.end()
-    return replace(state, unfold="") if state.unfold else state
+    return state if state.unfold == wanted else replace(state, unfold=wanted)
+
+
+def _unsettled(name: str) -> bool:
+    """Whether a panel that unfolds is to be scrolled to in the next frame, too.
+
+    It has a height only then, and panels above it change theirs when the scene is another.
+    """
+    storage, key = imgui.get_state_storage(), imgui.get_id(f"{name} unfolds")
+    frames = storage.get_int(key, 0) + 1
+    storage.set_int(key, frames % SETTLED)
+    return frames < SETTLED
 
 
 def _view(state: State, good: State, slots: Slots, scale: float) -> tuple[State, bool]:
