@@ -19,11 +19,11 @@ from playground.render.radiosity.factor.visibility import between, facing
 from playground.render.radiosity.patch.patches import Patches
 from playground.scene.settings import Settings
 from playground.shading.floats import Array
-from playground.shading.form_factor import point_to_point
+from playground.shading.form_factor import point_to_disc, point_to_point
 from playground.shading.polygon_pair import exchange_area
 from playground.shading.shadow import visible_share
 
-RAYS = 16  # segments between two patches: so many per side, squared
+RAYS = 17  # segments between two patches: so many per side, squared
 Two = tuple[float, float]
 
 
@@ -48,10 +48,11 @@ class MethodTold:
 class PatchPair:
     """Two patches as each sees the other: lengths in world units, angles in degrees.
 
-    Pairs of values are those of i and of j. ``point`` is cos θ_i cos θ_j A / (π r²) of the two
-    centres with the area of the other patch, ``closed`` are F_ij and F_ji of the two polygons,
-    exact, both with nothing in between. ``visible`` is the share of this that gets through, by
-    ``segments`` segments; 1 without occlusion. ``methods`` are those asked so far.
+    Pairs of values are those of i and of j, with nothing in between. ``point`` is cos θ_i cos θ_j
+    A / (π r²) of the two centres with the area of the other patch; ``disc`` takes that patch for
+    a disc, see `point_to_disc`; ``closed`` are F_ij and F_ji of the two polygons, exact.
+    ``visible`` is the share of this that gets through, by ``segments`` segments; 1 without
+    occlusion. ``methods`` are those asked so far.
     """
 
     patches: Patches
@@ -62,6 +63,7 @@ class PatchPair:
     angle: Two
     distance: float
     point: Two
+    disc: Two
     closed: Two
     facing: bool
     occlusion: bool
@@ -105,6 +107,7 @@ class PatchPair:
             area=other(self.area),
             angle=other(self.angle),
             point=other(self.point),
+            disc=other(self.disc),
             closed=other(self.closed),
         )
 
@@ -180,7 +183,8 @@ def _alone(patches: Patches, i: int, j: int, occlusion: bool) -> PatchPair:
     distance = float(np.linalg.norm(way))
     towards = way / distance if distance > 0.0 else np.zeros(3)
     cosine = np.array([normal[0] @ towards, -normal[1] @ towards])
-    per_area = float(point_to_point(centre[0], normal[0], centre[1], normal[1]))
+    ends = centre[0], normal[0], centre[1], normal[1]
+    per_area = float(point_to_point(*ends))
     exchanged = float(exchange_area(*patches.polygon[both]))
     meets = bool(facing(patches, both[:1], both[1:])[0])
     theta = np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0)))
@@ -193,6 +197,7 @@ def _alone(patches: Patches, i: int, j: int, occlusion: bool) -> PatchPair:
         angle=_two(theta),
         distance=distance,
         point=_two(per_area * area[::-1]),
+        disc=_two(point_to_disc(*ends, area[::-1])),
         closed=_two(exchanged / area),
         facing=meets,
         occlusion=occlusion,
@@ -210,7 +215,7 @@ def _visible(patches: Patches, i: int, j: int) -> float:
 
     Each is weighed by the lecture's formula for its two ends.
     """
-    one, other = ((patches.polygon[k][None], patches.normal[k][None]) for k in (i, j))
+    one, other = ((patches.turned[k][None], patches.normal[k][None]) for k in (i, j))
     place = segments(RAYS).T[..., None]  # (4, R, 1): all segments of one pair at once
     start, end = point_at(one[0], place[:2]), point_at(other[0], place[2:])
     up, down = (np.broadcast_to(side[1], start.shape) for side in (one, other))

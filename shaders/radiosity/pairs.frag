@@ -14,7 +14,7 @@ layout(location = 0) out vec2 exchanged;  // as if far and with what stands betw
 struct Patch {
     vec3 corners[4];
     vec3 normal;
-    float area;
+    float rank;  // by size
 };
 
 ivec2 texel_of(int number) {
@@ -27,7 +27,7 @@ Patch patch_of(int number) {
         found.corners[k] = texelFetch(pair_patches, texel_of(5 * number + k), 0).xyz;
     vec4 last = texelFetch(pair_patches, texel_of(5 * number + 4), 0);
     found.normal = last.xyz;
-    found.area = last.w;
+    found.rank = last.w;
     return found;
 }
 
@@ -51,13 +51,21 @@ float stretch(Patch on, vec2 place) {
 }
 
 #if RAYS > 0
-// The share of what the pair would exchange that gets through.
+// Where segment k of side × side starts and ends: (s, t) on the one patch and on the other.
+vec4 segment(int k, int side, int u, int v) {
+    int a = k / side, b = k % side;
+    return (vec4(b, a, (a + u * b) % side, (a + v * b) % side) + 0.5) / float(side);
+}
+
+// The share of what the pair would exchange that gets through. First come LOOKS segments near the
+// corners; the others are sent where these disagree, in the same loop: it makes a long program.
 float visible(Patch a, Patch b, bool facing) {
     float seen = 0.0, whole = 0.0;
-    int count = facing ? RAYS * RAYS : 0;
+    int count = !facing ? 0 : LOOKS > 0 ? LOOKS : RAYS * RAYS;
     for (int k = 0; k < count; ++k) {
-        int s = k % RAYS, t = k / RAYS;
-        vec2 start = (vec2(s, t) + 0.5) / float(RAYS), end = (vec2((s + t) % RAYS, t) + 0.5) / float(RAYS);
+        vec4 place = k < LOOKS ? mix(vec4(INSET), vec4(1.0 - INSET), step(0.5, segment(k, 2, 1, 2)))
+                               : segment(k - LOOKS, RAYS, RAY_U, RAY_V);
+        vec2 start = place.xy, end = place.zw;
         vec3 origin = point_at(a, start), way = point_at(b, end) - origin;
         float squared = dot(way, way);
         float weight = max(dot(way, a.normal), 0.0) * max(-dot(way, b.normal), 0.0);
@@ -70,6 +78,10 @@ float visible(Patch a, Patch b, bool facing) {
         float limit = weight > 0.0 ? 1.0 : -1.0;
         bool hidden = bvh_blocked(bvh_nodes, bvh_corners, bvh_root, bvh_low, bvh_cell, origin, way, limit);
         seen += hidden ? 0.0 : weight;
+        if (k == LOOKS - 1 && seen > 0.0 && seen < whole) {
+            count += RAYS * RAYS;
+            seen = whole = 0.0;
+        }
     }
     return visible_share(seen, whole);
 }
@@ -93,8 +105,8 @@ void main() {
     Patch a = patch_of(i), b = patch_of(j);
     bool facing = before(a, b) && before(b, a);
 
-    // The points lie on the smaller patch; of equal ones, on that of lower number.
-    if (b.area < a.area || (b.area == a.area && j < i)) {
+    // The points lie on the smaller patch.
+    if (b.rank < a.rank) {
         Patch held = a;
         a = b;
         b = held;

@@ -4,6 +4,7 @@ import numpy as np
 
 from playground.render.radiosity.factor.matrix import FormFactors
 from playground.render.radiosity.solver.solve import System
+from playground.shading.form_factor import point_to_disc
 
 
 def random_closed(rng, size, spread=0.5):
@@ -37,12 +38,8 @@ def disc_box(m):
             places.append(place)
             normals.append(normal)
     place, normal = np.concatenate(places), np.concatenate(normals)
-    between = place[None] - place[:, None]
-    squared = np.sum(between**2, axis=-1)
-    cosines = np.einsum("ijk,ik->ij", between, normal) * -np.einsum("ijk,jk->ij", between, normal)
-    np.fill_diagonal(squared, 1.0)
     area = m**-2.0
-    factors = np.maximum(cosines, 0.0) / squared * area / (np.pi * squared + area)
+    factors = point_to_disc(place[:, None], normal[:, None], place, normal, area)
     x = np.ones(len(place))
     for _ in range(200):
         x /= np.sqrt(x * (factors @ x))
@@ -58,9 +55,23 @@ def some_light(rng, size, rho=0.9, lamps=3):
     return reflectance, emission, direct
 
 
+class Areas:
+    """The areas of patches of which nothing else is known."""
+
+    def __init__(self, area):
+        self.area = np.asarray(area, float)
+
+
+def known(matrix, area, normalise=False):
+    """Form factors (N, N) that are all known; closed where every row sums to 1 within 0.05."""
+    closed = bool(np.all(np.abs(matrix.sum(axis=1) - 1.0) <= 0.05))
+    rows = np.array(matrix, float)
+    return FormFactors(lambda i: rows[i], Areas(area), normalise, closed=closed, dtype=np.float64)
+
+
 def system_of(factors, area, reflectance, emission, direct=0.0, **keys):
     """A system of a known matrix, with fresh rows."""
-    return System(FormFactors.of_matrix(factors, area, **keys), area, reflectance, emission, direct)
+    return System(known(factors, area, **keys), area, reflectance, emission, direct)
 
 
 def eliminated(factors, reflectance, emission, direct=0.0):

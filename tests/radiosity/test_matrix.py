@@ -2,12 +2,21 @@
 
 import numpy as np
 import pytest
-from enclosures import disc_box, eliminated, grey, random_closed, some_light, system_of
+from enclosures import (
+    Areas,
+    disc_box,
+    eliminated,
+    grey,
+    known,
+    random_closed,
+    some_light,
+    system_of,
+)
 from plates import WALLS, block, cube, facing_plates, patches_of, rectangle, room
 
 from playground.errors import PlaygroundError
 from playground.render.radiosity.factor.closure import is_closed
-from playground.render.radiosity.factor.matrix import Areas, FormFactors
+from playground.render.radiosity.factor.matrix import FormFactors
 from playground.render.radiosity.solver.exchange import Exchange
 from playground.render.radiosity.solver.solve import SOLVERS, System, solution
 
@@ -130,6 +139,25 @@ def test_a_covered_patch_is_not_stretched(rng):
     assert factors.row_sums([3, 4, 5]) == pytest.approx([1.0, 0.0, 0.2], rel=1e-6)
 
 
+def test_the_report_names_rows_that_are_stretched(rng):
+    matrix, area = random_closed(rng, 10)
+    matrix[2] *= 0.8
+    matrix[4] *= 0.6
+    matrix[5] *= 0.2
+    factors = FormFactors(Counted(matrix), Areas(area), closed=True)
+    assert factors.report().stretched == 0, "no row is known yet"
+    factors.row_sums(np.arange(10))
+    report = factors.report()
+    assert (report.stretched, report.left_short) == (2, 1)
+    assert report.stretched_most == pytest.approx(1.0 / 0.6, rel=1e-6)  # a row in float32
+    assert "2 rows sum to less than 0.95 and are stretched, by at most 1.67" in str(report)
+    assert "1 rows are mostly covered" in str(report)
+    for others in ({"closed": False}, {"closed": True, "normalise": False}):
+        factors = FormFactors(Counted(matrix), Areas(area), **others)
+        factors.row_sums(np.arange(10))
+        assert "stretched" not in str(factors.report())
+
+
 def test_the_report(rng):
     matrix, area = random_closed(rng, 30)
     matrix[3] *= 1.1
@@ -174,7 +202,7 @@ def test_exchange_is_symmetric_and_balanced(rng):
 def test_exchange_changes_nothing_where_reciprocity_holds(rng):
     matrix, area = random_closed(rng, 20)
     for keys in ({}, {"normalise": True}):
-        whole = Exchange(FormFactors.of_matrix(matrix, area, **keys))(np.eye(20))
+        whole = Exchange(known(matrix, area, **keys))(np.eye(20))
         assert whole == pytest.approx(area[:, None] * matrix, rel=1e-11, abs=1e-16)
 
 
@@ -244,13 +272,6 @@ def test_patches_that_are_none_have_no_rows(chosen):
     for ask in (factors.rows, factors.row_sums):
         with pytest.raises(PlaygroundError, match=r"no such patch.*from 0 to 5"):
             ask(chosen)
-
-
-def test_known_matrices_are_closed_by_their_sums(rng):
-    matrix, area = random_closed(rng, 8)
-    assert FormFactors.of_matrix(matrix, area).closed
-    matrix[2] *= 0.9
-    assert not FormFactors.of_matrix(matrix, area).closed
 
 
 def test_a_system_takes_the_matrix_as_it_is(rng):

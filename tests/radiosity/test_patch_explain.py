@@ -42,6 +42,7 @@ class TestPair:
         pair = explain_pair(plates(FLOOR, CEILING), 0, 1)
         assert pair.angle == (0.0, 0.0) and pair.distance == 1.0
         assert pair.point == pytest.approx((1 / np.pi, 1 / np.pi))
+        assert pair.disc == pytest.approx((1 / (np.pi + 1), 1 / (np.pi + 1)))
         # polygon_pair promises 1e-10 for polygons apart, rounding for close ones
         assert pair.closed[0] == pytest.approx(float(opposite_rectangles(1, 1, 1)), rel=1e-10)
         assert pair.visible == 1.0 and pair.expected == pair.closed
@@ -102,7 +103,7 @@ class TestPair:
         setup, patches = box
         there = explain_pair(patches, 20, 60, setup.settings).swapped()
         back = explain_pair(patches, 60, 20, setup.settings)
-        for name in ("numbers", "area", "angle", "point"):
+        for name in ("numbers", "area", "angle", "point", "disc"):
             assert getattr(there, name) == pytest.approx(getattr(back, name), rel=4 * UNIT)
         assert there.closed == pytest.approx(back.closed, rel=1e-10)
         for one, other in zip(there.methods, back.methods, strict=True):
@@ -127,11 +128,12 @@ class TestPair:
 
     def test_words_latex_and_plain_values(self):
         pair = explain_pair(plates(FLOOR, CEILING), 0, 1)
-        for words in (*METHODS, "θ = 0.00°", "A_i F_ij - A_j F_ji", "all of 256 segments"):
+        for words in (*METHODS, "θ = 0.00°", "A_i F_ij - A_j F_ji", "all of 289 segments"):
             assert words in pair.text(), words
         assert r"\frac{\cos\theta_i\cos\theta_j}{\pi|v|^2}" in pair.latex()
         told = json.loads(json.dumps(pair.to_dict()))
-        assert told["closed"] == list(pair.closed) and told["numbers"] == [0, 1]
+        assert told["closed"] == list(pair.closed) and told["disc"] == list(pair.disc)
+        assert told["numbers"] == [0, 1]
         assert [row["method"] for row in told["methods"]] == [*reversed(METHODS)]
 
     def test_errors_are_percentages(self):

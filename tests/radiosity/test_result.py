@@ -1,6 +1,7 @@
 """`radiosity` from end to end: a setup in, light and pictures out; nothing computed in vain."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ import pytest
 import playground as pg
 from playground.cli import main
 from playground.explain.stored_pixel import explain_stored
+from playground.render.gl.stored import GLStored
 from playground.render.radiosity import light_source
 from playground.render.radiosity.light_source import RadiosityLight
 from playground.render.stored_renderer import NumpyStored
@@ -236,7 +238,6 @@ def test_stopping_writes_nothing(tmp_path, monkeypatch, capsys):
 
 
 def test_the_camera_moves_and_nothing_is_prepared_anew(gl, monkeypatch):
-    from playground.render.gl.stored import GLStored
 
     asked = []
     light, setup = RadiosityLight("auto", gl), room()
@@ -248,17 +249,55 @@ def test_the_camera_moves_and_nothing_is_prepared_anew(gl, monkeypatch):
     assert len(asked) == 1
 
 
-def test_parts_of_the_light_add_up_in_the_picture():
-    setup = room().with_(terms=("diffuse",), solver="jacobi")
-    with NumpyStored(SIZE, RadiosityLight("numpy")) as renderer:
-        pictures = {
-            shown: renderer.render(setup.with_(light_shown=shown, shading="flat")).pixels
+@pytest.mark.parametrize("shading", ["per-fragment", "flat"])
+@pytest.mark.parametrize("name", ["numpy", "gl"])
+def test_direct_and_indirect_light_make_the_whole_picture(name, shading, gl):
+    # A lamp and a glowing floor that are seen, highlights, a background: all of them direct.
+    setup = room().with_(samples=4, patches=90, shading=shading, background=(0.3, 0.2, 0.1))
+    floor = setup.scene.objects[0]
+    shiny = replace(floor.material, specular=(0.5,) * 3, emissive=(0.1, 0.0, 0.05))
+    objects = (replace(floor, material=shiny), *setup.scene.objects[1:])
+    setup = replace(setup, scene=replace(setup.scene, objects=objects))
+    light = RadiosityLight("numpy")
+    with NumpyStored(SIZE, light) if name == "numpy" else GLStored(SIZE, light, gl) as renderer:
+        whole, direct, indirect = (
+            renderer.render(setup.with_(light_shown=shown)).pixels.astype(np.float64)
             for shown in ("all", "direct", "indirect")
-        }
-    lamps = pictures["direct"] == pictures["indirect"]  # seen themselves, in every picture
-    total = pictures["direct"] + pictures["indirect"]
-    np.testing.assert_allclose(total[~lamps], pictures["all"][~lamps], rtol=1e-6, atol=1e-6)
-    assert (~lamps).mean() > 0.5
+        )
+    # Three roundings of light at corners and three of pixels, to float32
+    np.testing.assert_allclose(direct + indirect, whole, rtol=6 * 2.0**-24, atol=1e-6)
+    assert indirect.max() > 0.01 and direct.max() > 0.5
+    for shown in ("direct", "indirect"):
+        stored = light.result.stored(shading == "flat", shown)
+        assert all(part.light.min() >= 0.0 for part in stored)
+
+
+def test_of_indirect_light_neither_lamps_nor_the_background_are_seen():
+    setup = pg.load("cornell-box").with_(patches=60, background=(0.3, 0.2, 0.1))
+    with NumpyStored((64, 48), RadiosityLight("numpy")) as renderer:
+        whole, indirect = (
+            renderer.render(setup.with_(light_shown=shown)) for shown in ("all", "indirect")
+        )
+    behind = whole.coverage == 0.0
+    assert behind.any() and np.allclose(whole.pixels[behind], (0.3, 0.2, 0.1))
+    assert not indirect.pixels[behind].any()
+    lamp = (whole.pixels == np.float32(setup.scene.lights[0].diffuse)).all(axis=-1)
+    assert lamp.any() and not indirect.pixels[lamp].any()
+
+
+def test_where_a_lamp_begins_to_list_its_corners_changes_no_light():
+    setup = pg.load("cornell-box").with_(patches=60)
+    found = []
+    for turn in range(4):
+        (lamp,) = setup.scene.lights
+        corners = (*lamp.corners[turn:], *lamp.corners[:turn])
+        turned = pg.PolygonLight(vertices=corners, diffuse=lamp.diffuse)
+        scene = replace(setup.scene, lights=(turned,))
+        result = pg.radiosity(replace(setup, scene=scene), "numpy").solve()
+        others = result.patches.owner < len(scene.objects)
+        found.append(result.direct[others])
+    # The lamp's own pieces are the same, listed in another order: some hundred roundings
+    np.testing.assert_allclose(found, [found[0]] * 4, rtol=1e-6, atol=1e-12)
 
 
 def test_only_what_the_scene_has_is_said_to_be_missing():

@@ -5,7 +5,7 @@ from math import ceil, log
 
 import numpy as np
 import pytest
-from enclosures import disc_box, eliminated, grey, random_closed, some_light, system_of
+from enclosures import Areas, disc_box, eliminated, grey, random_closed, some_light, system_of
 
 from playground.errors import PlaygroundError
 from playground.render.radiosity.factor.matrix import FormFactors
@@ -231,16 +231,11 @@ def test_rows_of_patches_that_never_shoot_are_never_computed(rng, name):
         asked.extend(chosen.tolist())
         return factors[chosen]
 
-    form_factors = FormFactors(rows, _Areas(area), closed=True, dtype=np.float64)
+    form_factors = FormFactors(rows, Areas(area), closed=True, dtype=np.float64)
     step = solution(System(form_factors, area, reflectance, emission), name, 1e-10)
     assert sorted(asked) == list(range(20)) and form_factors.computed == 20
     assert step.exact == pytest.approx(eliminated(factors, reflectance, emission), rel=1e-8)
     assert np.all(step.arriving[20:] > 0.0)
-
-
-class _Areas:
-    def __init__(self, area):
-        self.area = area
 
 
 def test_no_row_is_asked_for_before_the_first_step(rng):

@@ -6,7 +6,14 @@ from plates import BELOW, adjacent_plates, cube, patches_of, rectangle, room
 
 from playground.render.radiosity.factor.closed_form import closed_form
 from playground.render.radiosity.factor.form_factors import point_to_point
-from playground.render.radiosity.factor.pairs import visible
+from playground.render.radiosity.factor.pairs import (
+    _share,
+    by_size,
+    exact,
+    looks,
+    segments,
+    visible,
+)
 from playground.render.radiosity.factor.visibility import between, can_hide, facing, lift_of
 
 ABOVE = rectangle((0, 0, 1), (0, 1, 0), (1, 0, 0))  # faces −z
@@ -50,23 +57,80 @@ def test_a_wall_between_patches_hides_exactly_what_is_beyond(rays):
     np.testing.assert_array_equal(found, expected)
 
 
-# Faces −z as ABOVE does, and is the mirror image of itself, s for 1 − s, as BELOW is.
-MIRRORED = rectangle((1, 0, 1), (-1, 0, 0), (0, 1, 0))
-
-
 @pytest.mark.parametrize("upside_down", [False, True], ids=["front", "back"])
-@pytest.mark.parametrize(("above", "rays"), [(MIRRORED, 2), (ABOVE, 2), (ABOVE, 4)])
-def test_screens_over_either_half_of_a_plate_share_what_arrives(above, rays, upside_down):
+@pytest.mark.parametrize("rays", [2, 4])
+def test_screens_over_either_half_of_a_plate_share_what_arrives(rays, upside_down):
     # The screen all but touches the plate: each segment ends under the one half or the other.
     shares = []
     for start in (-0.5, 0.5):
         screen = rectangle((start, -0.5, 1e-6), (1, 0, 0), (0, 2, 0))
         screen = screen[::-1] if upside_down else screen
-        patches = patches_of([BELOW, above, screen], [(1, 1)] * 3)
+        patches = patches_of([BELOW, ABOVE, screen], [(1, 1)] * 3)
         shares.append(visible(patches, FIRST, SECOND, rays).item())
     assert sum(shares) == pytest.approx(1.0, rel=1e-12)
-    if above is MIRRORED:
-        assert shares[0] == pytest.approx(0.5, rel=1e-12), "each segment has its mirror image"
+
+
+TRIANGLE = np.array([(0.0, 0.1, 1.0), (0.3, 1.0, 1.0), (1.0, 0.0, 1.0)])
+SCREEN = rectangle((-1, -1, 0.4), (1.45, 0, 0), (0, 2.3, 0))
+
+
+@pytest.mark.parametrize("above", [ABOVE, TRIANGLE], ids=["square", "triangle"])
+def test_the_corner_that_is_listed_first_changes_nothing(above):
+    found = []
+    for turn in range(len(above)):
+        corners = np.roll(above, turn, axis=0)
+        if len(corners) == 3:
+            corners = corners[[0, 1, 2, 2]]
+        patches = patches_of([np.roll(BELOW, turn, axis=0), corners, SCREEN], [(1, 1)] * 3)
+        share = visible(patches, FIRST, SECOND, 5).item()
+        assert 0.1 < share < 0.9
+        found.append((share, *closed_form(patches, everything(patches))[0]))
+    # Hundreds of roundings of numbers below 1, of areas that are summed from other corners
+    np.testing.assert_allclose(found, found[:1] * len(found), rtol=0, atol=1e-13)
+
+
+def test_patches_of_one_size_are_told_apart_by_where_they_are():
+    row = [BELOW + np.array([2.0 * k, 0, 0]) for k in range(3)]
+    ranks = [
+        patches_of(np.array(row)[order], [(1, 1)] * 3).rank for order in ([0, 1, 2], [2, 0, 1])
+    ]
+    assert ranks[0].tolist() == [0, 1, 2] and ranks[1].tolist() == [2, 0, 1]
+    sizes = patches_of([2.0 * BELOW, BELOW], [(1, 1)] * 2)
+    assert sizes.rank.tolist() == [1, 0]
+
+
+@pytest.mark.parametrize("rays", [3, 5, 7, 11, 17])
+def test_any_two_numbers_of_a_segment_take_every_pair_of_values(rays):
+    places = np.rint(segments(rays) * rays - 0.5).astype(int)
+    for one in range(4):
+        for other in range(one):
+            assert len(set(zip(places[:, one], places[:, other], strict=True))) == rays * rays
+
+
+def test_more_segments_are_sent_only_where_the_first_disagree():
+    patches = patches_of([BELOW, ABOVE, SCREEN], [(3, 3), (3, 3), (1, 1)])
+    i, j = (x.ravel() for x in np.meshgrid(np.arange(9), np.arange(9, 18)))
+    corners, whole = (_share(patches, i, j, x) for x in (looks(), segments(5)))
+    some = (corners > 0.0) & (corners < 1.0)
+    assert 0 < some.sum() < len(some)
+    np.testing.assert_array_equal(visible(patches, i, j, 5), np.where(some, whole, corners))
+    np.testing.assert_array_equal(visible(patches, i, j, 5, look=False), whole)
+
+
+def test_half_shadows_of_coarse_patches_are_right_within_a_percent():
+    # 17² segments in all four numbers are the reference: they differ by 0.1 % from 31². Of these
+    # rows, 2 × 2 segments are off by 1.5 %, 2 × 2 and then 5 × 5 by 0.6 %.
+    patches = room(8, 3)
+    i, j = (x.ravel() for x in np.meshgrid(np.arange(0, 384, 29), np.arange(len(patches))))
+    meet = facing(patches, i, j)
+    i, j = by_size(patches, i[meet], j[meet])
+    power = exact(patches, i, j)
+    right = power * visible(patches, i, j, 17, look=False)
+    off = [
+        np.abs(power * visible(patches, i, j, rays, look) - right).sum() / right.sum()
+        for rays, look in ((5, True), (2, False))
+    ]
+    assert off[0] < 0.01 < off[1]
 
 
 @pytest.mark.parametrize("offset", [0.0, 1000.0])

@@ -32,7 +32,7 @@ SOLVED_BY = ("hemicube", "closed-form")
 FIRST, CONVERGED, WHOLE = "first picture", "converged to 1e-4", "converged, own process"
 FULLY = 1e-7  # share of the light left in what the room is held against
 RATE, CPU, MEGABYTES = "patches per second", "s of all processors", "megabytes"
-REFERENCE = "rows: closed form and 289 rays a pair; light: the converged solution"
+REFERENCE = "rows: closed form and 529 rays a pair; light: the converged solution"
 
 
 def groups(quick: bool) -> Iterator[list[Candidate]]:

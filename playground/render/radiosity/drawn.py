@@ -27,16 +27,30 @@ class DrawnPatches:
     meshes: tuple[Mesh | None, ...]  # None for an object without patches
     vertices: tuple[NDArray[np.intp], ...]  # per mesh: points of the patches, or patches if flat
 
-    def stored(self, arriving: Array) -> tuple[StoredLight | None, ...]:
-        """The light arriving at each patch, (N, 3), as it is to be drawn."""
-        light = arriving if self.flat else corner_light(self.patches, arriving)
-        light = light.astype(np.float32)
+    def stored(
+        self, arriving: Array, direct: Array | None = None, shown: str = "all"
+    ) -> tuple[StoredLight | None, ...]:
+        """The light arriving at each patch, (N, 3), as it is to be drawn.
+
+        ``shown`` is all of it, or a part, for which ``direct`` (N, 3) is needed. `corner_light`
+        keeps within bounds, so parts of its own would not add up: at a corner, indirect light is
+        what all light has beyond the direct, which is no more than all.
+        """
+        light = self._at_corners(arriving)
+        if shown != "all":
+            assert direct is not None
+            straight = np.minimum(self._at_corners(direct), light)
+            light = straight if shown == "direct" else light - straight
         return tuple(
             None
             if mesh is None
             else StoredLight(mesh, light=light[chosen], origin=self.patches.origin)
             for mesh, chosen in zip(self.meshes, self.vertices, strict=True)
         )
+
+    def _at_corners(self, arriving: Array) -> NDArray[np.float32]:
+        light = arriving if self.flat else corner_light(self.patches, arriving)
+        return light.astype(np.float32)
 
 
 def drawn_patches(patches: Patches, objects: int, flat: bool = False) -> DrawnPatches:

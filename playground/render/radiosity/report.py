@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from playground.render.radiosity.factor.matrix_report import MatrixReport
+from playground.render.radiosity.patch.flaws import Flaws
 from playground.render.radiosity.solver.ledger import Ledger
 from playground.render.radiosity.solver.system import Step
 
@@ -24,7 +25,7 @@ class Report:
     patches: int
     rounds: int  # refinements of the patches
     form_factors: MatrixReport
-    inspection: Any
+    inspection: Flaws
     solver: str
     steps: int
     residual: float

@@ -57,6 +57,12 @@ def radiosity(
         Where form factors are computed; ``"auto"`` takes the GPU where that is faster.
     context : moderngl.Context, optional
         A window's, instead of one of our own.
+
+    Raises
+    ------
+    PlaygroundError
+        What is given is no setup, or no such renderer. That there are no patches, or no light, is
+        told when they are asked for.
     """
     check_setup(setup)
     if renderer not in RENDERERS:
@@ -232,8 +238,8 @@ class Radiosity:
         """The light as it is drawn, per object; ``shown`` is all, direct or indirect."""
         if shown not in LIGHT_SHOWN:
             raise unknown_name("light_shown", shown, LIGHT_SHOWN)
-        light = self.arriving if shown == "all" else getattr(self, shown)
-        return self.drawn(flat).stored(light)
+        direct = None if shown == "all" else self.direct
+        return self.drawn(flat).stored(self.arriving, direct, shown)
 
     def bake(self, size: int = 256) -> Lightmap:
         """The light as a texture of ``size`` × ``size`` texels; solved first, if it is not."""

@@ -16,6 +16,7 @@ from playground.render.gl.context import rest
 from playground.render.gl.program import Program
 from playground.render.gl.source import assemble
 from playground.render.gl.trace.bvh_texels import bvh_texels
+from playground.render.radiosity.factor.pairs import INSET, LOOKS, multipliers
 from playground.render.radiosity.factor.visibility import LIFT, bend_of, between, size_of, tree_of
 from playground.render.radiosity.patch.patches import Patches
 
@@ -40,6 +41,8 @@ class GpuPairs:
         Whether patches hide one another.
     points, rays : int
         As in `playground.render.radiosity.factor.pairs`.
+    look : bool
+        As in `pairs.visible`.
     """
 
     def __init__(
@@ -48,7 +51,8 @@ class GpuPairs:
         patches: Patches,
         occlusion: bool = True,
         points: int = 3,
-        rays: int = 2,
+        rays: int = 5,
+        look: bool = True,
     ) -> None:
         self._context = context
         _, exponent = np.frexp(size_of(patches))
@@ -57,6 +61,8 @@ class GpuPairs:
         rays = rays if occlusion and len(triangles) else 0
         lift = LIFT * UNIT + 2.0 * bend_of(patches) * self._scale
         symbols: dict[str, object] = {"POINTS": points, "RAYS": rays, "LIFT": f"{lift:.9e}"}
+        symbols["RAY_U"], symbols["RAY_V"] = multipliers(rays)
+        symbols["LOOKS"], symbols["INSET"] = LOOKS**2 if look else 0, INSET
         nodes, weights = np.polynomial.legendre.leggauss(points)
         symbols["GAUSS_NODES"] = _literal((1.0 + nodes) / 2.0)
         symbols["GAUSS_WEIGHTS"] = _literal(weights / 2.0)
@@ -124,9 +130,9 @@ class GpuPairs:
 
     def _patches(self, patches: Patches) -> NDArray[Any]:
         texels = np.zeros((len(patches), TEXELS, 4), dtype=np.float32)
-        texels[:, :4, :3] = patches.polygon * self._scale
+        texels[:, :4, :3] = patches.turned * self._scale
         texels[:, 4, :3] = patches.normal
-        texels[:, 4, 3] = patches.area * self._scale**2
+        texels[:, 4, 3] = patches.rank
         return _by_number(texels.reshape(-1, 4))
 
     def _texture(self, texels: NDArray[Any]) -> moderngl.Texture:

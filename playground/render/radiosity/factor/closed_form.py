@@ -33,9 +33,9 @@ class ClosedForm:
     occlusion : bool
         Whether patches hide one another.
     points, rays : int
-        Per side of a patch, see `pairs`: with 3 and 2 the whole matrix of a room with blocks is
-        off by 1.3 % at 594 patches and by 0.6 % at 2,376 (the sum of all errors beside that of all
-        factors), nearly all of it in half-shadows.
+        Per side of a patch, see `pairs`: with 3 and 5 the whole matrix of a room with blocks is
+        off by 0.4 % at 594 patches and by 0.2 % at 2,376 (the sum of all errors beside that of all
+        factors), nearly all of it in half-shadows; with 17 segments per side by 0.1 %.
     gpu : function, optional
         What computes far pairs and shares in place of NumPy: `gl.radiosity.pairs.GpuPairs`.
     """
@@ -45,7 +45,7 @@ class ClosedForm:
         patches: Patches,
         occlusion: bool = True,
         points: int = 3,
-        rays: int = 2,
+        rays: int = 5,
         gpu: Pairs | None = None,
     ) -> None:
         self._patches, self._gpu = patches, gpu
@@ -106,7 +106,7 @@ class ClosedForm:
 
 
 def closed_form(
-    patches: Patches, chosen: ArrayLike, occlusion: bool = True, points: int = 3, rays: int = 2
+    patches: Patches, chosen: ArrayLike, occlusion: bool = True, points: int = 3, rays: int = 5
 ) -> Array:
     """Rows F_ij from patch to patch, (len(chosen), N) float64; `pairs` says how."""
     return ClosedForm(patches, occlusion, points, rays)(chosen)

@@ -10,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.render.radiosity.patch.patches import Parents, Patches
-from playground.render.trace.bvh import build
+from playground.render.radiosity.factor.visibility import halves, tree_of
+from playground.render.radiosity.patch.patches import Patches
 from playground.render.trace.walk import closest
 from playground.shading.floats import Array
 from playground.shading.vector import cross, dot, unit
@@ -20,7 +20,6 @@ RAYS = 16  # from each patch that is asked
 ASKED = 256  # patches, evenly chosen, and as many once more by their area
 MOVES = (0.7548776662466927, 0.5698402909980532)  # Roberts 2018: multiples fill a square evenly
 LOST = 1e-3  # a larger share of rays that meet nothing, or a back, makes a scene open
-ROW_SUM_OF_CLOSED = 0.05  # a known matrix is closed if no row sum is farther from 1
 
 
 def is_closed(patches: Patches) -> bool:
@@ -49,11 +48,10 @@ def _keeps(patches: Patches, chosen: NDArray[np.intp]) -> bool:
     direction = _spread(normal)
     size = float(np.ptp(patches.points, axis=0).max())
     start = patches.centre[chosen] + 1e-9 * size * normal  # off the plane of the patch itself
-    corners, front = _triangles(patches.parents)
-    faces = np.arange(3 * len(front)).reshape(-1, 3)
-    tree = build(corners.reshape(-1, 3), faces)
+    triangles, _ = halves(patches.parents.corners)
+    front = cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
     origin = np.repeat(start, RAYS, axis=0)
-    _, met, _ = closest(tree, origin, direction.reshape(-1, 3), np.inf)
+    _, met, _ = closest(tree_of(triangles), origin, direction.reshape(-1, 3), np.inf)
     facing = dot(front[np.maximum(met, 0)], direction.reshape(-1, 3)) < 0.0
     kept = ((met >= 0) & facing).reshape(-1, RAYS)
     open_to = kept[kept.any(axis=1)]
@@ -78,10 +76,3 @@ def _spread(normal: Array) -> Array:
     tangent = unit(cross(normal, axis))
     frame = np.stack([tangent, cross(normal, tangent), normal], axis=1)
     return np.asarray(np.einsum("nrk,nkx->nrx", local, frame))
-
-
-def _triangles(parents: Parents) -> tuple[Array, Array]:
-    """The undivided surfaces as triangles (T, 3, 3), and a vector to the front of each (T, 3)."""
-    corners = parents.corners
-    halves = np.concatenate([corners[:, [0, 1, 2]], corners[~parents.triangle][:, [0, 2, 3]]])
-    return halves, cross(halves[:, 1] - halves[:, 0], halves[:, 2] - halves[:, 0])

@@ -1,7 +1,7 @@
 """Every way to compute form factors, with one signature, so that they can be compared.
 
 ``(patches, chosen, occlusion=True, **knob) -> (len(chosen), N)``: the rows F_ij of the chosen
-patches i, the share of the light that leaves i and arrives at each patch j. Three look from the
+patches i, the share of the light that leaves i and arrives at each patch j. Four look from the
 centre of patch i only: "point-to-point", "point-to-polygon" and, by counting, "hemisphere" and
 "hemicube"; touching patches are theirs to get wrong, by as much as 20 %. "closed-form" is from
 patch to patch.
@@ -50,7 +50,8 @@ def point_to_point(patches: Patches, chosen: ArrayLike, occlusion: bool = True) 
 def point_to_polygon(patches: Patches, chosen: ArrayLike, occlusion: bool = True) -> Array:
     """Lambert's closed form from the centre of i to all of j, if nothing stands between centres.
 
-    Exact for a point: what it fails of is the difference between points of patch i.
+    Rows (k, N) of the k chosen patches. Exact for a point: what it fails of is the difference
+    between points of patch i.
     """
 
     def formula(i: Ints, j: Ints) -> Array:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from playground.errors import PlaygroundError
-from playground.render.radiosity.factor.closure import ROW_SUM_OF_CLOSED, is_closed
+from playground.render.radiosity.factor.closure import is_closed
 from playground.render.radiosity.factor.matrix_report import MatrixReport, report_on
 from playground.render.radiosity.patch.patches import Patches
 from playground.shading.floats import Array
@@ -28,18 +28,11 @@ MOST_BYTES = 2**30
 
 
 class HasArea(Protocol):
-    """Patches, or as much of them as a matrix of given numbers needs."""
+    """Patches, or as much of them as products of known rows need."""
 
     @property
     def area(self) -> Array:
         """(N,)."""
-
-
-class Areas:
-    """The areas of patches of which nothing else is known."""
-
-    def __init__(self, area: ArrayLike) -> None:
-        self.area: Array = np.asarray(area, np.float64)
 
 
 class FormFactors:
@@ -59,7 +52,8 @@ class FormFactors:
     ----------
     rows : function
         Patches (k,) -> their rows (k, N), any floating type.
-    patches : Patches or Areas
+    patches : Patches
+        Or, where the rows are known anyhow, whatever has an ``area``.
     normalise : bool
         Whether the correction is made in a closed scene.
     closed : bool, optional
@@ -91,20 +85,6 @@ class FormFactors:
         self._count = 0
         self._sum = np.full(size, np.nan)
         self.calls = 0  # how many rows have been computed, those twice that found no room
-
-    @classmethod
-    def of_matrix(
-        cls, matrix: ArrayLike, area: ArrayLike | None = None, normalise: bool = False
-    ) -> FormFactors:
-        """Form factors that are all known, (N, N); areas of 1 unless given.
-
-        Closed if every row sums to 1 within `closure.ROW_SUM_OF_CLOSED`.
-        """
-        given = np.asarray(matrix, np.float64)
-        areas = Areas(np.ones(len(given)) if area is None else area)
-        sums = given.sum(axis=1)
-        closed = bool(np.all(np.abs(sums - 1.0) <= ROW_SUM_OF_CLOSED))
-        return cls(lambda i: given[i], areas, normalise, closed=closed, dtype=np.float64)
 
     def __len__(self) -> int:
         return len(self.area)
@@ -173,7 +153,7 @@ class FormFactors:
         return whole
 
     def must_fit(self, size: int, patches: int) -> None:
-        """Refuse work that takes ``size`` bytes where there is memory for so many patches only."""
+        """Raise an error for work of ``size`` bytes where there is memory for so many patches."""
         if size > self.most_bytes:
             raise PlaygroundError(
                 f"{len(self)} patches are too many for this way of solving",
@@ -227,6 +207,7 @@ class FormFactors:
             kept,
             self.area,
             self.raw_sums(),
+            self._scale(np.arange(len(self))),
             self.closed,
             self.correction,
         )

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from playground.shading.floats import Array
 
+STRETCHED = 0.05  # a row that lacks more is short of patches it should see, not inexact
 PAIRED = 1024  # rows among which reciprocity is looked at, evenly chosen
 
 
@@ -27,6 +28,9 @@ class MatrixReport:
     paired: int  # among how many rows both were looked at
     closed: bool
     correction: str
+    stretched: int  # rows that are corrected although they lack more than `STRETCHED`
+    stretched_most: float  # by what the lowest of them is multiplied; 1 if there is none
+    left_short: int  # rows that are left alone, because most of what they see is missing
 
     def __str__(self) -> str:
         """For a person, a line per law."""
@@ -38,11 +42,26 @@ class MatrixReport:
                 f"reciprocity |A_i F_ij - A_j F_ji|: at most {self.reciprocity:.2e} of the largest"
                 f" A_i F_ij, {self.reciprocity_share:.2%} in all ({self.paired} rows)",
             ]
-        return "\n".join([*lines, f"correction: {self.correction}"])
+        lines.append(f"correction: {self.correction}")
+        if self.stretched:
+            lines.append(
+                f"{self.stretched} rows sum to less than {1.0 - STRETCHED:g} and are stretched, by "
+                f"at most {self.stretched_most:.3g}: these patches are partly covered, or light "
+                "leaks out there, and what they miss is taken to be as bright as what they see"
+            )
+        if self.left_short:
+            lines.append(f"{self.left_short} rows are mostly covered and left as they are")
+        return "\n".join(lines)
 
 
 def report_on(
-    rows: Array, of: NDArray[Any], area: Array, sums: Array, closed: bool, correction: str
+    rows: Array,
+    of: NDArray[Any],
+    area: Array,
+    sums: Array,
+    scale: Array,
+    closed: bool,
+    correction: str,
 ) -> MatrixReport:
     """The report on rows (k, N) of the patches ``of`` (k,).
 
@@ -51,11 +70,15 @@ def report_on(
     area : (N,) array
     sums : (N,) array
         Row sums, NaN where the row is not known.
+    scale : (N,) array
+        What the rows are multiplied by.
     closed, correction : bool, str
         What becomes of the rows.
     """
     known = sums[~np.isnan(sums)]
     lowest, highest, mean = (known.min(), known.max(), known.mean()) if len(known) else [np.nan] * 3
+    short, corrected = sums < 1.0 - STRETCHED, scale != 1.0  # NaN is not below anything
+    stretched = scale[short & corrected] if closed else np.empty(0)
     some = np.unique(np.linspace(0, len(of) - 1, min(PAIRED, len(of))).astype(int))
     sent = rows[some][:, of[some]] * area[of[some], None] if len(some) else np.zeros((1, 1))
     differing, largest, total = np.abs(sent - sent.T), float(np.abs(sent).max()), float(sent.sum())
@@ -70,4 +93,7 @@ def report_on(
         paired=len(some),
         closed=closed,
         correction=correction,
+        stretched=len(stretched),
+        stretched_most=float(stretched.max(initial=1.0)),
+        left_short=int(np.count_nonzero(short & ~corrected)) if corrected.any() else 0,
     )

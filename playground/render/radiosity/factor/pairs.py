@@ -7,10 +7,11 @@ A_i F_ij = A_j F_ji holds to the last rounding.
   g × g of Gauss's points on the smaller patch.
 - Near pairs, their centres less than `NEAR` times the sum of both radii apart, touching ones
   among them: what two polygons exchange (`polygon_pair`), exact also with a common edge.
-- Where something may stand in between, the result is weakened by the share of r² segments that
-  arrive, each weighed as the integral weighs it (as in `shading.shadow`): exact where all or none
-  do. The r × r places on one patch are joined with those on the other so that no two segments
-  end at the same place.
+- Where something may stand in between, the result is weakened by the share of segments that
+  arrive, each weighed as the integral weighs it (as in `shading.shadow`). Four that start and
+  end near the corners tell whether all, none or some do; for some, r² are sent through the whole
+  of both patches, spread over all four numbers that say where a segment starts and ends.
+- Places on a patch are counted from a corner that does not depend on the order of its corners.
 
 On the GPU, shaders/radiosity/pairs.frag does the same for far pairs.
 
@@ -41,10 +42,12 @@ Side = tuple[Array, Array]  # corners (P, 4, 3) and unit normals (P, 3)
 # distance^-6 and ^-4.
 NEAR = 1.25
 BATCH = 20_000  # pairs at a time: some 30 MB
+LOOKS = 2  # per side, squared: the segments that tell whether more are needed
+INSET = 0.1  # of a side: how far from the edge they end; nearer, they find few more half-shadows
 
 
 def exchange(
-    patches: Patches, i: Ints, j: Ints, occlusion: bool = True, points: int = 3, rays: int = 2
+    patches: Patches, i: Ints, j: Ints, occlusion: bool = True, points: int = 3, rays: int = 5
 ) -> Array:
     """A_i F_ij = A_j F_ji of pairs of patches, (P,)."""
     found = np.zeros(len(i))
@@ -62,9 +65,8 @@ def exchange(
 
 
 def by_size(patches: Patches, i: Ints, j: Ints) -> tuple[Ints, Ints]:
-    """The smaller patch of each pair, of equal ones that of lower number, and the other."""
-    first, second = patches.area[i], patches.area[j]
-    swap = (second < first) | ((second == first) & (j < i))
+    """The smaller patch of each pair (P,), by `Patches.rank`, and the other."""
+    swap = patches.rank[j] < patches.rank[i]
     return np.where(swap, j, i), np.where(swap, i, j)
 
 
@@ -86,7 +88,7 @@ def unhidden(patches: Patches, i: Ints, j: Ints, points: int) -> Array:
     """A_i F_ij of far pairs as if nothing stood between, by points × points on patch i, (P,)."""
     nodes, weights = np.polynomial.legendre.leggauss(points)
     total = np.zeros(len(i))
-    corners, normal, other = patches.polygon[i], patches.normal[i], patches.polygon[j]
+    corners, normal, other = patches.turned[i], patches.normal[i], patches.polygon[j]
     for s, along in zip(nodes, weights, strict=True):
         for t, across in zip(nodes, weights, strict=True):
             place = np.array([1.0 + s, 1.0 + t]) / 2.0
@@ -96,14 +98,52 @@ def unhidden(patches: Patches, i: Ints, j: Ints, points: int) -> Array:
     return total
 
 
-def visible(patches: Patches, i: Ints, j: Ints, rays: int) -> Array:
-    """The share of what pairs would exchange that gets through, (P,), by rays² segments each."""
-    stands = between(patches)
-    if stands.tree.nodes == 0:
+def visible(patches: Patches, i: Ints, j: Ints, rays: int, look: bool = True) -> Array:
+    """The share of what pairs would exchange that gets through, (P,).
+
+    By rays² segments for each pair; with ``look``, only where those near the corners disagree.
+    """
+    if between(patches).tree.nodes == 0:
         return np.ones(len(i))
-    sides = (patches.polygon[i], patches.normal[i]), (patches.polygon[j], patches.normal[j])
+    if not look:
+        return _share(patches, i, j, segments(rays))
+    share = _share(patches, i, j, looks())
+    partly = np.flatnonzero((share > 0.0) & (share < 1.0))
+    share[partly] = _share(patches, i[partly], j[partly], segments(rays))
+    return share
+
+
+def looks() -> Array:
+    """Where the segments start and end that tell whether more are needed, (4, 4)."""
+    return np.where(segments(LOOKS) < 0.5, INSET, 1.0 - INSET)
+
+
+def segments(rays: int) -> Array:
+    """Where segments start and end, (rays², 4): (s, t) on the one patch and on the other.
+
+    If ``rays`` is a prime number above 2, any two of the four numbers take each pair of ``rays``
+    values once: an orthogonal array (Rao 1947; Owen, Orthogonal Arrays for Computer Experiments,
+    Integration and Visualization, 1992). The multipliers grow with it, so that
+    many segments fill all four dimensions.
+    """
+    a, b = np.divmod(np.arange(rays * rays), rays)
+    u, v = multipliers(rays)
+    return np.asarray(
+        (np.stack([b, a, (a + u * b) % rays, (a + v * b) % rays], axis=1) + 0.5) / rays
+    )
+
+
+def multipliers(rays: int) -> tuple[int, int]:
+    """What places on the one patch are multiplied by to give those on the other."""
+    return max(rays // 5, 1), -(-3 * rays // 5)
+
+
+def _share(patches: Patches, i: Ints, j: Ints, places: Array) -> Array:
+    """The share that gets through, (P,), by segments with the same places (S, 4) for each pair."""
+    stands = between(patches)
+    sides = (patches.turned[i], patches.normal[i]), (patches.turned[j], patches.normal[j])
     seen, whole = np.zeros(len(i)), np.zeros(len(i))
-    for place in segments(rays):
+    for place in places:
         weight, start, end = _segment(*sides, place)
         whole += weight
         open_ = np.flatnonzero(weight > 0.0)
@@ -111,12 +151,6 @@ def visible(patches: Patches, i: Ints, j: Ints, rays: int) -> Array:
         arrives = open_[~stands.hidden(start[open_], up, end[open_], down)]
         seen[arrives] += weight[arrives]
     return visible_share(seen, whole)
-
-
-def segments(rays: int) -> Array:
-    """Where segments start and end, (rays², 4): (s, t) on the one patch and on the other."""
-    a, b = np.divmod(np.arange(rays * rays), rays)
-    return np.asarray((np.stack([b, a, (a + b) % rays, a], axis=1) + 0.5) / rays)
 
 
 def _segment(one: Side, other: Side, place: Array) -> tuple[Array, Array, Array]:

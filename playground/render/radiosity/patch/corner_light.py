@@ -68,7 +68,11 @@ class _Around:
         return np.asarray(total / weight[:, None])
 
     def range(self, low: Array, high: Array | None = None) -> tuple[Array, Array]:
-        """The lowest and highest values at each point; of values at points, in two steps."""
+        """The lowest and highest of the patches' values (K, C) at each point, (V, C) both.
+
+        With ``high``, ``low`` and it are values (V, C) at points: from there to the patches, and
+        back, so that each point knows those of the points around it.
+        """
         if high is None:
             at = low[self.patch]
             return np.minimum.reduceat(at, self.start), np.maximum.reduceat(at, self.start)

@@ -29,7 +29,7 @@ KINDS = {
 
 
 @dataclass(frozen=True, eq=False)
-class Report:
+class Flaws:
     """What `inspect` found, kind by kind; ``str`` of it is a readable text."""
 
     patches: Patches

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.render.radiosity.patch.edges import SAME_PLACE, Edges, edges_of, extent_of, places
-from playground.render.radiosity.patch.flaws import Report
+from playground.render.radiosity.patch.flaws import Flaws
 from playground.render.radiosity.patch.overlaps import overlaps
 from playground.render.radiosity.patch.parts import classes
 from playground.render.radiosity.patch.patches import Patches
@@ -20,7 +20,7 @@ Integers = NDArray[np.int64]
 TESTS = 2_000_000  # of a point with a polygon or an edge, side by side
 
 
-def inspect(patches: Patches) -> Report:
+def inspect(patches: Patches) -> Flaws:
     """Look for what lets light through, tears its shading or sends it to the wrong side.
 
     Points closer than a millionth of the scene's extent count as one.
@@ -33,7 +33,7 @@ def inspect(patches: Patches) -> Report:
     within = edges_of(patches.corners, own)
     nothing, backs = _in_front(patches, tolerance)
     parent_owner = patches.owner[patches.parents.first]
-    return Report(
+    return Flaws(
         patches=patches,
         leaks=_leaks(patches, edges_of(patches.corners, place), tolerance),
         t_vertices=_t_vertices(patches, within, tolerance),
