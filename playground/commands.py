@@ -95,6 +95,8 @@ def render(options: Namespace) -> int:
 
 
 def _sheet(options: Namespace, suffix: str) -> int:
+    from tqdm import tqdm
+
     from playground.explain.sheet import make_sheet
     from playground.files import write_whole
     from playground.render.gl.context import available
@@ -103,8 +105,13 @@ def _sheet(options: Namespace, suffix: str) -> int:
     if suffix != ".png":
         raise PlaygroundError("a sheet is saved as .png", got=str(options.output))
     setup = _setup(options)
-    sheet = make_sheet(setup, options.sheet, options.size or PANEL_SIZE, options.renderer)
-    write_whole(options.output, png_bytes(sheet.codes, setup, sheet.message))
+    size, form = options.size or PANEL_SIZE, "{l_bar}{bar}"
+    with tqdm(total=1.0, desc=options.sheet, leave=False, disable=None, bar_format=form) as bar:
+        sheet = make_sheet(
+            setup, options.sheet, size, options.renderer, lambda share: bar.update(share - bar.n)
+        )
+    folder = options.output.parent
+    write_whole(options.output, png_bytes(sheet.codes, setup, sheet.message, folder))
 
     renderer = "gl" if options.renderer != "numpy" and available() else "numpy"
     height, width = sheet.codes.shape[:2]
@@ -130,7 +137,8 @@ def _save_png(options: Namespace, setup: Setup) -> str:
     with open_renderer(options.size or DEFAULT_SIZE, options.renderer) as renderer:
         codes = np.empty((renderer.size[1], renderer.size[0], 4), dtype=np.uint8)
         renderer.render(setup, out=codes)
-        write_whole(options.output, png_bytes(codes[..., :3], setup))
+        folder = options.output.parent
+        write_whole(options.output, png_bytes(codes[..., :3], setup, folder=folder))
         if (taken := renderer.samples(setup)) != setup.settings.samples:
             asked = setup.settings.samples
             _say(
@@ -226,7 +234,7 @@ def measure(options: Namespace) -> int:
 
 def needs(options: Namespace) -> int:
     """Print what each part of a setup contributes and costs, and what to drop."""
-    from playground.measure.needs_run import run_needs
+    from playground.measure.needs_command import run_needs
 
     return run_needs(
         _setup(options),

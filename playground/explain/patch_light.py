@@ -14,13 +14,17 @@ MOST = 10  # senders that are told
 
 @dataclass(frozen=True, eq=False)
 class Sender:
-    """A patch that sends light: ``sent`` (3,) is F C, ``share`` its part of all that is sent."""
+    """A patch that sends light: ``sent`` (3,) is F C, ``share`` its part of all that is sent.
+
+    ``owner`` is the number of its object; numbers beyond those of the objects are lights.
+    """
 
     patch: int
     factor: float
     light: Array
     sent: Array
     share: float
+    owner: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,7 +97,14 @@ def explain_patch(result: Radiosity, patch: int) -> PatchLight:
         light=light[patch],
         row_sum=float(row.sum()),
         senders=tuple(
-            Sender(int(j), float(row[j]), light[j], sent[j], float(strength[j]) / all_of_it)
+            Sender(
+                int(j),
+                float(row[j]),
+                light[j],
+                sent[j],
+                float(strength[j]) / all_of_it,
+                int(patches.owner[j]),
+            )
             for j in first
             if strength[j] > 0.0
         ),

@@ -29,6 +29,7 @@ def text(pair: PatchPair) -> str:
         f"  |v| = {pair.distance:.6g} from centre to centre",
         f"  {seen(pair)}",
         f"point to point   F_ij = cos θ_i cos θ_j / (π |v|²) A_j = {pair.point[0]:.6g}",
+        f"point to disc    F_ij = cos θ_i cos θ_j A_j / (π |v|² + A_j) = {pair.disc[0]:.6g}",
         f"closed form      F_ij = {pair.closed[0]:.6g}   F_ji = {pair.closed[1]:.6g}   "
         "of the two polygons, nothing in between",
         "",
@@ -91,7 +92,17 @@ def latex(pair: PatchPair) -> str:
 
 def to_dict(pair: PatchPair) -> dict[str, Any]:
     """Plain values; those of i before those of j."""
-    names = ("numbers", "area", "angle", "distance", "point", "closed", "expected", "facing")
+    names = (
+        "numbers",
+        "area",
+        "angle",
+        "distance",
+        "point",
+        "disc",
+        "closed",
+        "expected",
+        "facing",
+    )
     more = ("occlusion", "segments", "visible")
     return {
         "patches": len(pair.patches),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -26,7 +26,13 @@ REFLECTIONS = 3  # pictures of so many, then all of them
 MAGNIFY = 4
 TEXELS, RAYS = 128, 32  # of a lightmap that is baked for the figure
 PATHS = 8  # per pixel, of the reference
+PATHS_DONE, SOLVED, BAKED = 0.45, 0.75, 0.95  # how far the five answers are then, about
 Size = tuple[int, int]
+Progress = Callable[[float], object]
+
+
+def _untold(share: float) -> None:
+    """Nobody asks how far the work is."""
 
 
 class GivenLight:
@@ -54,15 +60,19 @@ class GivenLight:
         """Nothing is held."""
 
 
-def bounce_sheet(setup: Setup, size: Size, renderer: str = "auto") -> Sheet:
+def bounce_sheet(
+    setup: Setup, size: Size, renderer: str = "auto", progress: Progress = _untold
+) -> Sheet:
     """Emission alone, light reflected once, twice, ..., and all of it; below, what each adds.
 
     Highlights are left out. All light comes from the same gathering, so that the pictures of
-    few reflections tend to that of all of them.
+    few reflections tend to that of all of them. ``progress`` is told the share of the work done.
     """
-    plain = setup.with_(specular_weight=0.0, solver="gauss-seidel")
+    plain = setup.with_(specular_weight=0.0, solver="gauss-seidel", light_shown="all")
     result = radiosity(plain, renderer)
     try:
+        for share in result.solving():
+            progress(BAKED * share)
         light = [*arriving_by_bounce(result, REFLECTIONS), result.arriving]
         flat = plain.settings.shading == Shading.FLAT
         pictures = _pictures(plain, size, renderer, GivenLight(result.drawn(flat)), light)
@@ -95,16 +105,20 @@ def arriving_by_bounce(result: Radiosity, most: int) -> list[Array]:
     return arriving
 
 
-def answers_sheet(setup: Setup, size: Size, renderer: str = "auto") -> Sheet:
+def answers_sheet(
+    setup: Setup, size: Size, renderer: str = "auto", progress: Progress = _untold
+) -> Sheet:
     """The scene by local Phong, lightmap, ray tracing, radiosity, and paths taken by chance.
 
-    The lightmap is that of the setup; without one, a small one is baked for the figure.
+    The lightmap is that of the setup; without one, a small one is baked for the figure. All show
+    all light. ``progress`` is told the share of the work done.
     """
+    setup = setup.with_(light_shown="all")
     reference = PathTracing(setup, size)
-    for _ in reference.steps(PATHS):
-        pass
+    for share in reference.steps(PATHS):
+        progress(PATHS_DONE * share)
     paths = reference.image()
-    solved, baked = _solved(setup, size, renderer)
+    solved, baked = _solved(setup, size, renderer, progress)
     pictures = {
         "local Phong": _drawn(setup, size, renderer, "raster"),
         "lightmap": baked,
@@ -171,28 +185,29 @@ def _drawn(setup: Setup, size: Size, renderer: str, method: str) -> Image:
     return image
 
 
-def _solved(setup: Setup, size: Size, renderer: str) -> tuple[Image, Image]:
+def _solved(setup: Setup, size: Size, renderer: str, progress: Progress) -> tuple[Image, Image]:
     """By radiosity, solved once, and by the lightmap of the setup, or one baked of it."""
     result = radiosity(setup, renderer)
     try:
-        result.solve()
-        shown = setup.settings.light_shown
-        parts = {"direct": lambda: result.direct, "indirect": lambda: result.indirect}
-        arriving = parts.get(shown, lambda: result.arriving)()
+        for share in result.solving():
+            progress(PATHS_DONE + (SOLVED - PATHS_DONE) * share)
         drawn = GivenLight(result.drawn(setup.settings.shading == Shading.FLAT))
-        picture = _pictures(setup, size, renderer, drawn, [arriving])[0]
+        picture = _pictures(setup, size, renderer, drawn, [result.arriving])[0]
         if setup.scene.lightmap:
             return picture, _drawn(setup, size, renderer, "lightmap")
-        return picture, _baked(result, size, renderer)
+        return picture, _baked(result, size, renderer, progress)
     finally:
         result.close()
 
 
-def _baked(result: Radiosity, size: Size, renderer: str) -> Image:
+def _baked(result: Radiosity, size: Size, renderer: str, progress: Progress) -> Image:
     """By a small lightmap that is made for the figure."""
     from playground.render.lightmap.bake import bake
 
-    setup, lightmap = result.setup, bake(result, TEXELS, RAYS)
+    def told(share: float) -> None:
+        progress(SOLVED + (BAKED - SOLVED) * share)
+
+    setup, lightmap = result.setup, bake(result, TEXELS, RAYS, told)
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, "figure.npz")
         lightmap.save(file)

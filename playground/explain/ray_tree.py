@@ -168,23 +168,26 @@ class RayTree:
         """The weights of all rays that depth and threshold cut off, (3,)."""
         return np.asarray(np.sum([node.unfollowed for node in self.nodes], axis=0))
 
-    def branch(self, node: RayNode | int) -> Array:
-        """What a node and all below it bring to the pixel, (3,)."""
-        return added_up(self._node(node).walk())
+    def branch(self, *nodes: RayNode | int) -> Array:
+        """What some nodes and all below them bring to the pixel, (3,)."""
+        there = self._below(nodes)
+        return added_up(node for node in self.nodes if node.number in there)
 
-    def prune(self, node: RayNode | int) -> Array:
-        """The pixel without a node and all below it, (3,)."""
-        gone = {below.number for below in self._node(node).walk()}
-        return added_up(other for other in self.nodes if other.number not in gone)
+    def prune(self, *nodes: RayNode | int) -> Array:
+        """The pixel without some nodes and all below them, (3,)."""
+        gone = self._below(nodes)
+        return added_up(node for node in self.nodes if node.number not in gone)
 
-    def _node(self, node: RayNode | int) -> RayNode:
-        number = node if isinstance(node, int) else node.number
-        nodes = self.nodes
-        if not 0 <= number < len(nodes):
-            raise PlaygroundError(
-                "the tree has no such node", got=number, allowed=f"0 to {len(nodes) - 1}"
-            )
-        return nodes[number]
+    def _below(self, nodes: tuple[RayNode | int, ...]) -> set[int]:
+        """The numbers of nodes and of all below them."""
+        known = self.nodes
+        chosen = [node if isinstance(node, int) else node.number for node in nodes]
+        for number in chosen:
+            if not 0 <= number < len(known):
+                raise PlaygroundError(
+                    "the tree has no such node", got=number, allowed=f"0 to {len(known) - 1}"
+                )
+        return {below.number for number in chosen for below in known[number].walk()}
 
     def text(self) -> str:
         """The tree for a terminal, one ray per line, indented by depth."""

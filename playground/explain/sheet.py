@@ -5,6 +5,8 @@ Those of ray tracing are in `playground.explain.ray_sheet`, of radiosity in `rad
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from playground.errors import unknown_name
@@ -23,9 +25,15 @@ SAMPLES = 4
 
 
 def make_sheet(
-    setup: Setup, kind: str, size: tuple[int, int] = (400, 300), renderer: str = "auto"
+    setup: Setup,
+    kind: str,
+    size: tuple[int, int] = (400, 300),
+    renderer: str = "auto",
+    progress: Callable[[float], object] = lambda share: None,
 ) -> Sheet:
     """Lay out the figure ``kind``, one of `SHEETS`, with panels of ``size``.
+
+    ``progress`` is told the share done of those that take long, `GLOBAL`.
 
     Raises
     ------
@@ -37,7 +45,8 @@ def make_sheet(
     if kind in GLOBAL:
         from playground.explain.radiosity_sheet import answers_sheet, bounce_sheet
 
-        return (bounce_sheet if kind == "bounces" else answers_sheet)(setup, size, renderer)
+        draw_global = bounce_sheet if kind == "bounces" else answers_sheet
+        return draw_global(setup, size, renderer, progress)
     if kind in TRACED:
         from playground.explain.ray_sheet import depth_sheet, tests_sheet
 

@@ -21,7 +21,7 @@ from playground.render.numpy_renderer import colours_before, pixel_colours
 from playground.render.radiosity.light_source import RadiosityLight
 from playground.render.raster.rasterize import Frame
 from playground.render.renderer import light_of
-from playground.render.stored import stored_surfaces
+from playground.render.stored import shown_background, shown_weights, stored_surfaces
 from playground.render.stored_renderer import LightSource
 from playground.render.surface import Surface
 from playground.render.view import view_of
@@ -29,6 +29,10 @@ from playground.scene.setup import Setup
 from playground.shading.display import code8, display_colour
 from playground.shading.floats import Array
 from playground.shading.texture import bilinear
+
+# Of all light, or direct light alone, and of indirect light
+EMITTED = ("what it emits, s_d", "what it emits is direct light: black")
+BEHIND = ("the background", "the background is direct light: black")
 
 
 def _black() -> Array:
@@ -74,14 +78,18 @@ class StoredPixel:
         lines = [f"{self.setup.name}, pixel ({x}, {y}) of {self.size[0]} x {self.size[1]}"]
         lines[0] += f", {self.method}"
         if self.light is not None:
-            lines.append(f"sees light {self.light} itself: what it emits, s_d")
+            lines.append(f"sees light {self.light} itself: {EMITTED[self._indirect]}")
         elif self.object is None:
-            lines.append("no surface here: the background")
+            lines.append(f"no surface here: {BEHIND[self._indirect]}")
         elif self.back:
             lines.append(f"sees the back of object {self.object}, where nothing arrives: black")
         else:
             lines += self._terms()
         return "\n".join([*lines, *ending(self)])
+
+    @property
+    def _indirect(self) -> bool:
+        return self.setup.settings.light_shown == "indirect"
 
     def _terms(self) -> list[str]:
         patch = f"patch {self.patch} of " if self.patch is not None else ""
@@ -131,9 +139,15 @@ class StoredPixel:
 
 
 def explain_stored(
-    setup: Setup, pixel: tuple[int, int], size: tuple[int, int], method: str
+    setup: Setup,
+    pixel: tuple[int, int],
+    size: tuple[int, int],
+    method: str,
+    light: LightSource | None = None,
 ) -> StoredPixel:
     """Why ``pixel`` = (x, y) of a picture by radiosity or lightmap has its colour.
+
+    ``light`` is that of a picture that is being shown; without it, it is computed.
 
     Raises
     ------
@@ -142,15 +156,17 @@ def explain_stored(
     """
     check_setup(setup)
     x, y = check_pixel(pixel, *check_size(size))
-    light = light_of(method)
+    own = light is None
+    light = light_of(method) if light is None else light
     for _ in light.prepare(setup):
         pass
-    everything = stored_surfaces(setup.scene, setup.settings.weights, light.stored(setup))
+    weights = shown_weights(setup.settings)
+    everything = stored_surfaces(setup.scene, weights, light.stored(setup))
     view = view_of(setup.camera, everything, size)
     frame = sight(everything, view, setup.camera, size)
     number = int(frame.object[y, x])
     seen: dict[str, Any] = {}
-    colour = np.array(setup.scene.background)
+    colour = np.array(shown_background(setup))
     if number >= 0:
         colour, specular = (
             pixel_colours(
@@ -166,7 +182,8 @@ def explain_stored(
         seen = _seen(setup, everything, frame, (x, y), light)
         if "diffuse" in seen:
             seen["specular"] = specular
-    light.close()
+    if own:
+        light.close()
     s = setup.settings
     shown = display_colour(colour, s.exposure, s.clamp, s.curve)
     return StoredPixel(setup, (x, y), size, method, colour, shown, code8(shown), **seen)

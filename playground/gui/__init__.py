@@ -81,5 +81,5 @@ def save_view(setup: Setup) -> None:
             )
         codes = np.empty((PICTURE_SIZE[1], PICTURE_SIZE[0], 4), dtype=np.uint8)
         renderer.render(setup, out=codes)
-        write_whole(path, png_bytes(codes[..., :3], setup))
+        write_whole(path, png_bytes(codes[..., :3], setup, folder=path.parent))
     print(path)

@@ -157,7 +157,8 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
             return state
         path = fresh(Path(f"{state.setup.name}.png"))
         try:
-            write_whole(path, png_bytes(self.pixels(self.view_box()), shown(state)))
+            codes = self.pixels(self.view_box())
+            write_whole(path, png_bytes(codes, shown(state), folder=path.parent))
         except PlaygroundError as error:
             return state.fail(error)
         return state.say(f"saved {path}; it carries its setup: drop it here to come back")

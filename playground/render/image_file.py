@@ -33,7 +33,7 @@ def save_image(image: Image, path: Path) -> None:
     """Write ``image`` as the suffix of ``path`` says."""
     suffix = check_suffix(path)
     if suffix == ".png":
-        data = png_bytes(image.codes(), image.setup)
+        data = png_bytes(image.codes(), image.setup, folder=path.parent)
     elif suffix == ".npy":
         buffer = BytesIO()
         np.save(buffer, image.pixels)
@@ -43,14 +43,22 @@ def save_image(image: Image, path: Path) -> None:
     write_whole(path, data)
 
 
-def png_bytes(codes: NDArray[np.uint8], setup: Setup | None = None, title: str = "") -> bytes:
-    """A PNG file of 8-bit codes (H, W, 3) that carries ``setup`` as JSON text."""
+def png_bytes(
+    codes: NDArray[np.uint8],
+    setup: Setup | None = None,
+    title: str = "",
+    folder: Path | None = None,
+) -> bytes:
+    """A PNG file of 8-bit codes (H, W, 3) that carries ``setup`` as JSON text.
+
+    The setup names files in ``folder``, where the picture is to be saved, from there.
+    """
     from PIL import Image as PillowImage
     from PIL.PngImagePlugin import PngInfo
 
     info = PngInfo()
     if setup is not None:
-        text = setup_text(setup)
+        text = setup_text(setup, folder)
         if text is not None:
             info.add_itxt(SETUP_KEY, text)
     if title:
@@ -92,7 +100,7 @@ def read_image(path: Path) -> Image:
     setup = None
     if suffix == ".png":
         with suppress(PlaygroundError):
-            setup = setup_inside(data)
+            setup = setup_inside(data, path.parent)
     return Image(_as_pixels(pixels, path), setup=setup, renderer="file")
 
 

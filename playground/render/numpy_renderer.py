@@ -53,7 +53,9 @@ class NumpyRenderer:
         offsets = sample_offsets(setup.settings.samples)
         everything = self._surfaces_of(setup)
         for offset in offsets:
-            sample, drawn = render_sample(setup, self.size, offset, everything)
+            sample, drawn = render_sample(
+                setup, self.size, offset, everything, self._background_of(setup)
+            )
             colour += sample / len(offsets)
             covered += drawn / len(offsets)
         image = Image(colour.astype(np.float32), covered.astype(np.float32), setup, self.name)
@@ -61,6 +63,9 @@ class NumpyRenderer:
 
     def _surfaces_of(self, setup: Setup) -> tuple[Surface, ...]:
         return surfaces(setup.scene, setup.settings.weights)
+
+    def _background_of(self, setup: Setup) -> tuple[float, float, float]:
+        return setup.scene.background
 
     def samples(self, setup: Setup) -> int:
         """As many samples per pixel as ``setup`` asks for."""
@@ -93,17 +98,19 @@ def render_sample(
     size: tuple[int, int],
     offset: tuple[float, float] = (0.5, 0.5),
     everything: tuple[Surface, ...] | None = None,
+    background: tuple[float, float, float] | None = None,
 ) -> tuple[Array, NDArray[np.bool_]]:
     """Linear colour (H, W, 3) and coverage (H, W) at one sample position per pixel.
 
-    ``everything`` are the surfaces to draw, if not those that follow from the setup.
+    ``everything`` are the surfaces to draw and ``background`` is what is behind them, if not what
+    follows from the setup.
     """
     if everything is None:
         everything = surfaces(setup.scene, setup.settings.weights)
     view = view_of(setup.camera, everything, size)
     frame = visibility(everything, view, size, offset)
     colour = np.empty((size[1], size[0], 3))
-    colour[...] = setup.scene.background
+    colour[...] = setup.scene.background if background is None else background
     for number, surface in enumerate(everything):
         rows, columns = np.nonzero(frame.object == number)
         vertex_colours = colours_before(surface, view, setup.settings)

@@ -17,6 +17,8 @@ from numpy.typing import NDArray
 from playground.render.surface import Surface, surfaces
 from playground.scene.mesh import Mesh
 from playground.scene.scene import Scene
+from playground.scene.settings import Settings
+from playground.scene.setup import Setup
 from playground.shading.texture import bilinear
 
 Array = NDArray[np.float64]
@@ -77,6 +79,23 @@ def stored_surfaces(
         for surface, light, item in zip(local, stored, scene.objects, strict=False)
     ]
     return (*shown, *local[len(scene.objects) :])
+
+
+def shown_weights(settings: Settings) -> dict[str, float]:
+    """The weights of the four terms in a picture of stored light.
+
+    What emits light and what a lamp makes shine are direct light: of indirect light there is the
+    diffuse term alone, so that the pictures of both add up to that of all light.
+    """
+    if settings.light_shown != "indirect":
+        return settings.weights
+    return {term: w if term == "diffuse" else 0.0 for term, w in settings.weights.items()}
+
+
+def shown_background(setup: Setup) -> tuple[float, float, float]:
+    """What is seen where nothing is; it has been reflected nowhere, so it is no indirect light."""
+    indirect = setup.settings.light_shown == "indirect"
+    return (0.0, 0.0, 0.0) if indirect else setup.scene.background
 
 
 def _with_light(surface: Surface, stored: StoredLight, reflectance: Array) -> Surface:

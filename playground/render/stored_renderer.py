@@ -11,7 +11,12 @@ from numpy.typing import NDArray
 from playground.errors import PlaygroundError
 from playground.render.image import Image
 from playground.render.numpy_renderer import NumpyRenderer
-from playground.render.stored import StoredLight, stored_surfaces
+from playground.render.stored import (
+    StoredLight,
+    shown_background,
+    shown_weights,
+    stored_surfaces,
+)
 from playground.render.surface import Surface
 from playground.scene.setup import Setup
 
@@ -56,7 +61,11 @@ class StoredDrawing:
             )
         for _ in self.light.prepare(setup):
             pass
-        return stored_surfaces(setup.scene, setup.settings.weights, self.light.stored(setup))
+        weights = shown_weights(setup.settings)
+        return stored_surfaces(setup.scene, weights, self.light.stored(setup))
+
+    def _background_of(self, setup: Setup) -> tuple[float, float, float]:
+        return shown_background(setup)
 
     def _told(self, image: Image | NDArray[Any]) -> Image | NDArray[Any]:
         """The picture, if it is one that can say so, with what is known of its light."""

@@ -14,15 +14,21 @@ from playground.scene.table import from_table, to_table
 SETUP_KEY = "playground-setup"  # the keyword of the PNG's iTXt chunk
 
 
-def setup_text(setup: Setup) -> str | None:
-    """The setup as JSON; None if a mesh made in Python keeps it from having a text form."""
+def setup_text(setup: Setup, folder: Path | None = None) -> str | None:
+    """The setup as JSON; None if a mesh made in Python keeps it from having a text form.
+
+    Files that lie in ``folder``, where the picture will be, are named from there: it may be moved
+    with them.
+    """
     if any(item.arrays is not None for item in setup.scene.objects):
         return None
-    return json.dumps(to_table(setup))
+    return json.dumps(to_table(setup, folder))
 
 
-def setup_inside(png: bytes) -> Setup | None:
+def setup_inside(png: bytes, folder: Path | None = None) -> Setup | None:
     """The setup in the bytes of a PNG, if it carries one; a damaged PNG raises what Pillow raises.
+
+    Relative files are looked up in ``folder``.
 
     Raises
     ------
@@ -37,7 +43,7 @@ def setup_inside(png: bytes) -> Setup | None:
     if text is None:
         return None
     try:
-        return from_table(json.loads(text), "picture")
+        return from_table(json.loads(text), "picture", folder)
     except PlaygroundError as error:
         got = error.got if isinstance(error.got, str) else shown(error.got)
         reason = f"{error.what} ({got})"
@@ -67,7 +73,7 @@ def read_setup_inside(path: Path) -> Setup:
     """
     data = read_bytes(path)
     try:
-        setup = setup_inside(data)
+        setup = setup_inside(data, path.parent)
     except PlaygroundError as error:
         raise PlaygroundError(f"{path}: {error.what}", got=error.got, fix=error.fix) from None
     except MemoryError:

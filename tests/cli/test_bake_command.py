@@ -4,7 +4,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 
 import numpy as np
 import pytest
@@ -78,17 +77,39 @@ def test_stopped_it_leaves_the_old_files(tmp_path):
     before = {name: (tmp_path / name).read_bytes() for name in os.listdir(tmp_path)}
     path = str(pg.__path__[0] + "/..")
     running = subprocess.Popen(
-        [sys.executable, "-m", "playground", "bake", "furnace", "-o", "a.toml",
+        [sys.executable, "-X", "importtime", "-m", "playground", "bake", "furnace", "-o", "a.toml",
          "--texels", "512", "--rays", "4096"],
         cwd=tmp_path, env={**os.environ, "PYTHONPATH": path},
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
     )  # fmt: skip
-    time.sleep(3.0)  # of the minutes that it would take
+    for line in running.stderr:  # until it has loaded what bakes, for minutes from there
+        if line.rstrip().endswith("playground.render.lightmap.bake"):
+            break
     assert running.poll() is None
     running.send_signal(signal.SIGINT)
-    _, said = running.communicate(timeout=60)
+    _, said = running.communicate(timeout=300)
     assert running.returncode == 130 and "stopped" in said and "Traceback" not in said
     assert {name: (tmp_path / name).read_bytes() for name in os.listdir(tmp_path)} == before
+
+
+@pytest.mark.parametrize(
+    ("patches", "texels", "fix"), [(5000, 64, "--set patches="), (60, 1024, "--texels")]
+)
+def test_what_ran_out_of_memory_is_named(tmp_path, monkeypatch, patches, texels, fix):
+    from playground.render.lightmap import command
+    from playground.render.radiosity.patch import memory
+
+    def never_enough(*_):
+        raise MemoryError
+
+    monkeypatch.setattr(command, "_with_bar", never_enough)
+    monkeypatch.setattr(memory, "available", lambda: 8 * 1000**2)
+    setup = pg.load("furnace").with_(patches=patches)
+    with pytest.raises(pg.PlaygroundError, match=fix) as refused:
+        command.run_bake(setup, tmp_path / "a.toml", texels, 1, "numpy")
+    assert f"{patches} patches" in str(refused.value)
+    assert "about 1000 patches or 89 texels" in str(refused.value)
+    assert os.listdir(tmp_path) == []
 
 
 def test_if_the_setup_cannot_be_written_the_lightmap_is_not_either(tmp_path, monkeypatch):

@@ -14,7 +14,7 @@ import playground as pg
 def run(*arguments, cwd=None, env=None):
     return subprocess.run(
         [sys.executable, "-m", "playground", *map(str, arguments)],
-        capture_output=True, text=True, cwd=cwd, timeout=120, check=False,
+        capture_output=True, text=True, cwd=cwd, timeout=300, check=False,
         env={**os.environ, "PYTHONPATH": str(pg.__path__[0] + "/.."), **(env or {})},
     )  # fmt: skip
 

@@ -9,7 +9,7 @@ from test_cli import ok, refused
 
 import playground as pg
 from playground.cli import main
-from playground.measure import advisor, needs_run
+from playground.measure import advisor, needs_command
 from playground.measure.advisor import Progress
 from playground.scene.light import PointLight
 
@@ -121,7 +121,7 @@ def test_a_mistake_is_one_message(words, said, tmp_path):
 
 
 def test_a_bad_place_is_told_before_anything_is_measured(monkeypatch, tmp_path):
-    monkeypatch.setattr(needs_run, "advising", lambda *_, **__: pytest.fail("it was measured"))
+    monkeypatch.setattr(needs_command, "advise", lambda *_, **__: pytest.fail("it was measured"))
     (tmp_path / "taken").write_text("")
     assert needs("-o", str(tmp_path / "taken")) == 2
 
@@ -132,9 +132,9 @@ def test_the_experiments_are_still_there(tmp_path):
 
 def test_the_bar_fits_a_line():
     for share in (0.0, 0.5, 1.0):
-        text = needs_run.bar(
+        text = needs_command.bar(
             Progress(share, "tessellation of object 12 (icosphere): 256 → 128"), 9.0
         )
-        assert len(text) <= needs_run.LINE
+        assert len(text) <= needs_command.LINE
         assert f"{share:4.0%}" in text
-    assert "9 s left" in needs_run.bar(Progress(0.5, "light 0 (point)"), 9.0)
+    assert "9 s left" in needs_command.bar(Progress(0.5, "light 0 (point)"), 9.0)

@@ -266,6 +266,23 @@ def test_drawn_from_its_lightmap_a_furnace_is_even(request, renderer, tmp_path):
     assert np.abs(dark.pixels - straight).max() < 1e-9 + 10.0 * SINGLE
 
 
+@pytest.mark.parametrize("renderer", ["numpy", pytest.param("gl", marks=pytest.mark.gl)])
+def test_direct_and_indirect_light_make_the_whole_picture(request, renderer, tmp_path):
+    if renderer == "gl":
+        request.getfixturevalue("gl")
+    scene = pg.load("cornell-box").with_(patches=60, background=(0.3, 0.2, 0.1))
+    scene = scene.with_(specular=(0.3, 0.3, 0.3), emissive=(0.0, 0.05, 0.0))
+    bake(radiosity(scene), 64, 0).save(tmp_path / "a.npz")
+    scene = scene.with_(lightmap=str(tmp_path / "a.npz"))
+    whole, direct, indirect = (
+        pg.render(scene.with_(light_shown=shown), (48, 36), renderer, "lightmap").pixels
+        for shown in ("all", "direct", "indirect")
+    )
+    # Ten roundings, as above, of each; the lamp shows 21
+    np.testing.assert_allclose(direct + indirect, whole, rtol=20.0 * SINGLE, atol=1e-6)
+    assert (whole != direct).any() and (indirect[0, 0] == 0.0).all()
+
+
 def test_what_cannot_be_drawn(tmp_path):
     scene = pg.load("furnace")
     with pytest.raises(pg.PlaygroundError, match="no lightmap to draw with"):

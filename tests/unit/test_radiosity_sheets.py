@@ -45,7 +45,9 @@ def test_light_in_a_furnace_grows_as_its_closed_form_says():
 
 def test_the_shares_of_the_reflections_are_told():
     setup = pg.load("furnace").with_(diffuse=GREY, convergence=1e-9, **SMALL)
-    sheet = make_sheet(setup, "bounces", SIZE, "numpy")
+    told = []
+    sheet = make_sheet(setup, "bounces", SIZE, "numpy", told.append)
+    assert told == sorted(told) and 0.9 < told[-1] <= 1.0
     assert panels_of(sheet) == 5
     assert percents(sheet.message) == [50.0, 25.0, 12.5, 12.5]
 
@@ -77,8 +79,10 @@ def test_the_gpu_draws_each_light_anew(gl_context):
 
 def test_five_answers_to_one_scene(few):
     setup = pg.load("indirect-room").with_(**SMALL)
-    sheet = make_sheet(setup, "answers", SIZE, "numpy")
+    told = []
+    sheet = make_sheet(setup, "answers", SIZE, "numpy", told.append)
     assert panels_of(sheet) == 5
+    assert told == sorted(told) and len(set(told)) > 10 and 0.9 < told[-1] <= 1.0
     for name in ("local Phong", "lightmap", "ray tracing", "radiosity"):
         assert re.search(rf"{name} 0\.\d+", sheet.message), name
 

@@ -52,13 +52,9 @@ class BounceRun:
             return None
         return min(solving.bounces, len(self._arriving) - 1)
 
-    def light(self, result: Radiosity, light_shown: str, solving: Solving) -> Array | None:
-        """What arrives after the reflections that are shown, (N, 3), all of it or a part."""
+    def light(self, result: Radiosity, solving: Solving) -> tuple[Array, Array] | None:
+        """What arrives after the reflections that are shown, (N, 3): all light, and direct."""
         bounces = self.shown(result, solving)
         if bounces is None:
             return None
-        arriving = self._arriving[bounces]
-        straight = self._arriving[min(bounces, 1)]
-        if light_shown == "direct":
-            return straight
-        return arriving - straight if light_shown == "indirect" else arriving
+        return self._arriving[bounces], self._arriving[min(bounces, 1)]

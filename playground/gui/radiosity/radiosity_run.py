@@ -91,6 +91,12 @@ class RadiosityRun:
         return self.result.step if self.result is not None else None
 
     @property
+    def drawn(self) -> Radiosity | None:
+        """The solution that is drawn; None while its form factors may serve its successor."""
+        settled = self._shown is self.result and self._aside is None and not self.error
+        return self.result if settled and self.step is not None else None
+
+    @property
     def patches(self) -> Patches | None:
         """The patches; None while there are none."""
         known = self.result is not None and self._aside is None and not self.error
@@ -192,9 +198,9 @@ class RadiosityRun:
     def _light(self, result: Radiosity, flat: bool, light_shown: str, solving: Solving) -> Light:
         if result is not self.result and "direct" not in result.__dict__:
             light_shown = "all"  # the form factors it had may serve its successor by now
-        arriving = self.bounced.light(result, light_shown, solving)
-        if arriving is not None:
-            return result.drawn(flat).stored(arriving)
+        bounced = self.bounced.light(result, solving)
+        if bounced is not None:
+            return result.drawn(flat).stored(*bounced, light_shown)
         return result.stored(flat, light_shown)
 
 

@@ -19,6 +19,7 @@ from playground.render.lightmap.texels import lay_out
 from playground.render.radiosity.patch.memory import available
 from playground.shading.floats import Array
 from playground.shading.lightmap import dilated
+from playground.steps import finished
 
 if TYPE_CHECKING:
     from playground.render.radiosity.result import Radiosity
@@ -70,15 +71,7 @@ def bake(
     progress: Callable[[float], None] | None = None,
 ) -> Lightmap:
     """The lightmap of a solved radiosity; ``progress`` is told the share done. See `baking`."""
-    work = baking(result, size, rays)
-    while True:
-        try:
-            share = next(work)
-        except StopIteration as end:
-            baked: Baked = end.value
-            return baked.lightmap
-        if progress is not None:
-            progress(share)
+    return finished(baking(result, size, rays), progress).lightmap
 
 
 def baking(result: Radiosity, size: int = SIZE, rays: int = RAYS) -> Generator[float, None, Baked]:

@@ -24,7 +24,7 @@ PASSES = 2  # how far texels that stay buried are filled from around
 
 
 def buried(around: Surroundings, at: Points) -> Bools:
-    """Which points lie within something: almost whichever way they look, they see a back.
+    """Which points (T,) lie within something: almost wherever they look, they see a back.
 
     Not quite every way, since the inside of a spout, say, is open at its end.
     """

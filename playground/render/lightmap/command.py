@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 import time
 from contextlib import suppress
+from math import isqrt
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,7 @@ from playground.render.lightmap.atlas import check_size
 from playground.render.lightmap.lightmap_file import SUFFIX
 from playground.scene.setup import Setup
 from playground.scene.setup_file import format_setup, save
+from playground.steps import finished
 
 if TYPE_CHECKING:
     from playground.render.lightmap.bake import Baked
@@ -24,6 +26,13 @@ def run_bake(setup: Setup, output: Path, texels: int, rays: int, renderer: str) 
     """Write the setup to ``output`` and its lightmap beside it; returns the exit status.
 
     Nothing is written before everything is computed, and nothing at all if something fails.
+    ``texels`` are those along either edge, ``rays`` those of each texel to the light around.
+
+    Raises
+    ------
+    PlaygroundError
+        ``output`` is no .toml or cannot be written, ``texels`` are too many, or what
+        `radiosity` refuses.
     """
     if output.suffix.lower() != ".toml":
         fix = f"Call it {output.stem}.toml."
@@ -42,6 +51,8 @@ def run_bake(setup: Setup, output: Path, texels: int, rays: int, renderer: str) 
     result = radiosity(setup, renderer)
     try:
         baked = _with_bar(result, texels, rays)
+    except MemoryError:
+        raise _too_large(result, texels) from None
     finally:
         result.close()
     _write(baked, with_it, output, file)
@@ -57,15 +68,32 @@ def _with_bar(result: Radiosity, texels: int, rays: int) -> Baked:
 
     from playground.render.lightmap.bake import baking
 
-    work = baking(result, texels, rays)
-    bar = tqdm(total=1.0, desc="bake", leave=False, disable=None, bar_format="{l_bar}{bar}")
-    with bar:
-        while True:
-            try:
-                bar.update(next(work) - bar.n)
-            except StopIteration as end:
-                baked: Baked = end.value
-                return baked
+    form = "{l_bar}{bar}"
+    with tqdm(total=1.0, desc="bake", leave=False, disable=None, bar_format=form) as bar:
+        return finished(baking(result, texels, rays), lambda share: bar.update(share - bar.n))
+
+
+def _too_large(result: Radiosity, texels: int) -> PlaygroundError:
+    """The error for a bake that ran out of memory: what takes most of it, and what would fit."""
+    from playground.render.lightmap import bake
+    from playground.render.radiosity.patch import memory
+
+    known = "patches" in result.__dict__
+    patches = len(result.patches) if known else result.setup.settings.patches
+    needs = memory.BYTES * patches**2, bake.BYTES * texels**2
+    fix = "--set patches=..." if needs[0] > needs[1] else "--texels ..."
+    free = memory.available()
+    fits = None
+    if free is not None:
+        most = isqrt(free // memory.BYTES), isqrt(free // bake.BYTES)
+        fits = f"about {most[0]} patches or {most[1]} texels along an edge, each alone"
+    return PlaygroundError(
+        "the memory does not suffice for this lightmap",
+        got=f"{patches} patches and {texels} x {texels} texels: "
+        f"{needs[0] / 1e9:.2g} and {needs[1] / 1e9:.2g} GB",
+        allowed=fits,
+        fix=f"Ask for fewer with {fix}.",
+    )
 
 
 def _write(baked: Baked, setup: Setup, output: Path, file: Path) -> None:

@@ -64,6 +64,7 @@ class _Best:
     def offer(
         self, triangles: Array, triangle: Ints, column: Ints, row: Ints, centre: Array
     ) -> None:
+        """Take triangles (N,) of texels whose centres are (N, 2), where they are nearer."""
         weights = nearest_weights(triangles[triangle], centre)
         apart = np.einsum("nc,ncx->nx", weights, triangles[triangle]) - centre
         distance = np.einsum("nx,nx->n", apart, apart)
@@ -76,6 +77,7 @@ class _Best:
         self._weights[texel[nearer]] = weights[nearer]
 
     def found(self, triangles: Array) -> Covered:
+        """The texels that have a triangle, each with the point of it that it stands for."""
         texel = np.flatnonzero(self._triangle >= 0)
         triangle = self._triangle[texel]
         weights = _inset(triangles[triangle], self._weights[texel])

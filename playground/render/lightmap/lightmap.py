@@ -54,7 +54,13 @@ class Lightmap:
     lighting: str
 
     def texels(self, light_shown: str = "all") -> Singles:
-        """The light to draw with, (H, W, 3): all, direct or indirect, as `Settings.light_shown`."""
+        """The light to draw with, (H, W, 3): all, direct or indirect, as `Settings.light_shown`.
+
+        Raises
+        ------
+        PlaygroundError
+            There is no such part of the light.
+        """
         if light_shown not in LIGHT_SHOWN:
             raise unknown_name("light_shown", light_shown, LIGHT_SHOWN)
         if light_shown == "all":

@@ -36,7 +36,13 @@ Arrays = dict[str, NDArray[Any]]
 
 
 def save_lightmap(lightmap: Lightmap, path: Path) -> None:
-    """Write ``lightmap`` whole or not at all."""
+    """Write ``lightmap`` whole or not at all.
+
+    Raises
+    ------
+    PlaygroundError
+        Another suffix, or the place cannot be written.
+    """
     if path.suffix.lower() != SUFFIX:
         raise PlaygroundError(
             f"a lightmap is saved as {SUFFIX}", got=str(path), fix=f"Call it {path.stem}{SUFFIX}."

@@ -72,7 +72,10 @@ def smoothed(
 
 
 def count_split(texels: Texels, at: Points, wrong: NDArray[np.bool_], around: Surroundings) -> int:
-    """How many pairs of neighbours, side by side on a chart, have a wall between them."""
+    """How many pairs of neighbours, side by side on a chart, have a wall between them.
+
+    Texels that are ``wrong`` (T,) have no neighbours.
+    """
     near = [
         _separated(texels, at, one, other, around, LOW)
         for x, y in ((1, 0), (0, 1))

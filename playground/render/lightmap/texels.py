@@ -54,7 +54,10 @@ class Texels:
 
 
 def lay_out(scene: Scene, atlas: Atlas, origin: Array) -> Texels:
-    """The texels that the charts of ``atlas`` need, with their places in the world."""
+    """The texels that the charts of ``atlas`` need, with their places relative to ``origin`` (3,).
+
+    At least one object must have a chart.
+    """
     corners, flat, normals, sides, items, charts = [], [], [], [], [], []
     for number, (item, part) in enumerate(zip(scene.objects, atlas.parts, strict=True)):
         if part is None:
@@ -97,7 +100,7 @@ def _turned(normal: Array, side: Array) -> Array:
 
 
 def placed(item: Object, origin: Array) -> tuple[Array, Array]:
-    """The vertices of an object in the world, relative to ``origin``, and their unit normals."""
+    """The vertices (V, 3) of an object, in the world relative to ``origin``, and unit normals."""
     geometry, matrix = item.geometry(), item.transform.matrix
     linear = matrix[:3, :3]
     local = geometry.mesh.positions.astype(np.float64) + geometry.offset
