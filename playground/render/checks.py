@@ -47,7 +47,10 @@ def check_size(size: Any) -> tuple[int, int]:
 
 
 def check_out(out: NDArray[Any], size: tuple[int, int]) -> None:
-    """Whether ``out`` can take a picture of ``size``; an error says what it must be."""
+    """Raise a `PlaygroundError` unless ``out`` can take a picture of ``size``, (width, height).
+
+    It must be (H, W, 4) uint8, or (H, W, 3 or 4) float32, and writeable.
+    """
     width, height = size
     good = (
         isinstance(out, np.ndarray)

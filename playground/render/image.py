@@ -93,7 +93,7 @@ class Image:
         return code8(self.shown())
 
     def into(self, out: NDArray[Any]) -> NDArray[Any]:
-        """Write the picture into an array as `Renderer.render` promises, and return it."""
+        """Write the picture into an array (H, W, 3 or 4), see `Renderer.render`; returns it."""
         if out.dtype == np.uint8:
             out[..., :3] = self.codes()
             out[..., 3] = 255

@@ -37,7 +37,7 @@ def on_gpu(settings: Settings) -> str:
 
 
 def to_type(values: ArrayLike, dtype: DTypeLike) -> Array:
-    """The values rounded to a type; beyond its range infinite, below it zero."""
+    """The values (...) rounded to a type; beyond its range infinite, below it zero."""
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         return np.asarray(values).astype(dtype, copy=False)
 

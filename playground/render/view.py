@@ -40,7 +40,7 @@ class View:
         return np.asarray(np.subtract(points, self.eye, dtype=np.float64) * self.scale)
 
     def world(self, points: ArrayLike) -> Array:
-        """The inverse of `relative`."""
+        """World points (..., 3), the inverse of `relative`."""
         return np.asarray(np.asarray(points, dtype=np.float64) / self.scale + self.eye)
 
     def eye_from_object(self, surface: Surface) -> Array:

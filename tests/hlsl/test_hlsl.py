@@ -13,6 +13,7 @@ import subprocess
 
 import numpy as np
 import pytest
+from edge_distance import edge_distance
 from numpy.lib.stride_tricks import sliding_window_view
 
 import playground as pg
@@ -22,7 +23,6 @@ from playground.render.gl.context import APT
 from playground.render.gl.program import Program
 from playground.render.gl.source import Source
 from playground.render.numpy_renderer import clip_positions, culled
-from playground.render.raster.rasterize import edge_distance
 from playground.render.surface import surfaces
 from playground.render.view import view_of
 

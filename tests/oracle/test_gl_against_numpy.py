@@ -13,10 +13,10 @@ What remains different, and why it may:
 
 import numpy as np
 import pytest
+from edge_distance import edge_distance
 
 import playground as pg
 from playground.render.numpy_renderer import clip_positions, culled
-from playground.render.raster.rasterize import edge_distance
 from playground.render.surface import surfaces
 from playground.render.view import view_of
 

@@ -5,6 +5,7 @@ u = 2^-11 is the rounding of float16, e = 2^-53 that of float64.
 
 import numpy as np
 import pytest
+from edge_distance import edge_distance
 
 import playground as pg
 from playground import locate, shading
@@ -12,7 +13,6 @@ from playground.render.gl import probe
 from playground.render.gl.bugs import zoo
 from playground.render.gl.renderer import GLRenderer
 from playground.render.numpy_renderer import clip_positions, culled
-from playground.render.raster.rasterize import edge_distance
 from playground.render.surface import surfaces
 from playground.render.view import view_of
 

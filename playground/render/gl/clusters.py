@@ -43,7 +43,10 @@ class Clusters:
 
 
 def build_clusters(positions: NDArray[np.float32], faces: NDArray[np.int32]) -> Clusters:
-    """Order the triangles of a mesh for locality and bound each group of `TRIANGLES`."""
+    """Order the triangles of a mesh for locality and bound each group of `TRIANGLES`.
+
+    ``positions`` are (V, 3), ``faces`` (F, 3) rows of them.
+    """
     vertex_order, faces = morton_order(positions, faces)
     start = np.arange(0, len(faces), TRIANGLES)
     group = np.repeat(np.arange(len(start)), np.diff(np.append(start, len(faces))))

@@ -77,6 +77,13 @@ def call(
     -------
     (N,) or (N, k) array of float32, or float64 for this precision; ``out`` parameters
         follow as further columns.
+
+    Raises
+    ------
+    ShaderError
+        The library does not compile.
+    KeyError
+        It has no such function.
     """
     import moderngl
 

@@ -26,7 +26,6 @@ Cull = Literal["back", "front"]
 
 BLOCK = 2**15  # triangles set up at a time: about 20 MB, whatever the size of the mesh
 MAX_SIDE = 2**15  # pixels; keeps edge functions within int64, see clip.GUARD_PIXELS
-MAX_REACH = 0.25  # pixels; `edge_distance` looks at one pixel per column of an edge
 
 
 @dataclass(frozen=True)
@@ -196,71 +195,3 @@ def _draw(
             frame.triangle.reshape(-1)[pixel] = pieces.source[piece] + first
             frame.object.reshape(-1)[pixel] = object_id
             frame.front.reshape(-1)[pixel] = pieces.front[piece]
-
-
-def edge_distance(
-    clip: Floats,
-    faces: NDArray[np.integer],
-    size: tuple[int, int],
-    cull: Cull | None = None,
-    offset: tuple[float, float] = (0.5, 0.5),
-    reach: float = 0.05,
-) -> Floats:
-    """Distance from each sample to the nearest edge of any triangle, hidden or not.
-
-    Two rasterisers may honestly disagree where it is below the rounding of positions, 1/256 pixel
-    (and a little more with float32 positions); a comparison leaves those pixels out.
-
-    Parameters
-    ----------
-    clip, faces, size, cull, offset
-        As for `rasterize`. The cuts of clipped triangles are edges too; of faces seen exactly
-        edge-on none is culled.
-    reach : float
-        Pixels, at most 0.25; what lies farther away is not looked for.
-
-    Returns
-    -------
-    (h, w) float64
-        Pixels; inf where no edge is within `reach`.
-    """
-    _check(size, cull, offset)
-    if not 0 < reach <= MAX_REACH:
-        raise PlaygroundError("reach out of range", got=reach, allowed=f"0 to {MAX_REACH} pixels")
-    nearest = np.full((size[1], size[0]), np.inf)
-    for start in range(0, len(faces), BLOCK):
-        xy = _set_up(clip, faces[start : start + BLOCK], size, cull).xy - offset
-        a, b = xy.reshape(-1, 2), np.roll(xy, -1, axis=1).reshape(-1, 2)
-        flat = (np.abs(b - a) @ [1.0, -1.0]) >= 0
-        _stroke(nearest, a[flat], b[flat], reach)
-        _stroke(nearest.T, a[~flat, ::-1], b[~flat, ::-1], reach)
-    return nearest
-
-
-def _stroke(nearest: Floats, a: Floats, b: Floats, reach: float) -> None:
-    """Lower `nearest` (h, w) to the distance from segments a, b (S, 2) with |dx| >= |dy|.
-
-    Samples lie on whole numbers here. In one column only the sample nearest to the segment can be
-    within reach (<= 1/4): its vertical distance is at most twice the true one.
-    """
-    height, width = nearest.shape
-    low, high = np.minimum(a, b), np.maximum(a, b)
-    near = (high[:, 1] > -1) & (low[:, 1] < height)
-    first = np.maximum(np.ceil(low[:, 0] - reach), 0).astype(np.int64)
-    last = np.minimum(np.floor(high[:, 0] + reach), width - 1).astype(np.int64)
-    counts = np.where(near, np.maximum(last - first + 1, 0), 0)
-    for batch in coverage.batches(counts, coverage.BATCH_PIXELS):
-        slot, step = coverage.owners(counts[batch])
-        column = first[batch][slot] + step
-        start, along = a[batch][slot], (b[batch] - a[batch])[slot]
-        run = np.where(along[:, 0] == 0, 1.0, along[:, 0])
-        share = np.clip((column - start[:, 0]) / run, 0.0, 1.0)
-        row = np.rint(start[:, 1] + share * along[:, 1]).astype(np.int64)
-
-        # Measure to the segment itself: project the sample on it, stop at its ends.
-        sample = np.stack([column, row], axis=-1) - start
-        length = np.maximum((along**2).sum(axis=-1), np.finfo(np.float64).tiny)
-        share = np.clip((sample * along).sum(axis=-1) / length, 0.0, 1.0)
-        distance = np.sqrt(((sample - share[:, None] * along) ** 2).sum(axis=-1))
-        seen = (distance <= reach) & (row >= 0) & (row < height)
-        np.minimum.at(nearest, (row[seen], column[seen]), distance[seen])

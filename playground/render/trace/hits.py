@@ -22,7 +22,11 @@ CROSSINGS = 256  # of one solid by one shadow ray; whatever is more folded than 
 
 
 class Hits(NamedTuple):
-    """The first hit of N rays: t, the number of the solid (−1 for none), and where on a mesh."""
+    """The first hits of N rays.
+
+    ``t`` (N,), the number of the ``solid`` (N,), −1 for none; on a mesh also the ``triangle``
+    (N,) and the ``weights`` (N, 3) of its corners.
+    """
 
     t: Array
     solid: Array
@@ -30,7 +34,7 @@ class Hits(NamedTuple):
     weights: Array
 
     def replaced(self, at: NDArray[np.intp], others: Hits) -> None:
-        """Put other hits in the places ``at``."""
+        """Put other hits, as many as ``at`` has places (K,), there."""
         for mine, other in zip(self, others, strict=True):
             mine[at] = other
 

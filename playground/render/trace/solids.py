@@ -87,7 +87,7 @@ class Solid:
         return (origin - self.centre) @ self.inverse.T, direction @ self.inverse.T
 
     def near(self, origin: Array, direction: Array, limit: Array) -> NDArray[np.intp] | slice:
-        """Which rays, of unit direction, come near: all that may meet the solid before ``limit``.
+        """Which rays (N, 3), of unit direction, come near: all that may meet it before ``limit``.
 
         A cheap first test by the ball around it; it errs towards yes.
         """
@@ -119,7 +119,7 @@ class Solid:
     def points(
         self, origin: Array, direction: Array, t: Array, triangle: Array, weights: Array
     ) -> Points:
-        """Where rays meet it, as `meet` told."""
+        """Where rays (N, 3) meet it at ``t`` (N,), with what `meet` told of a mesh."""
         if self.bvh is None:
             inner = self.inward(origin, direction)
             local = analytic.on_surface(self.kind, *inner, t)

@@ -81,7 +81,7 @@ class Wave(NamedTuple):
 
 
 def primary(scene: TracedScene, origin: Array, direction: Array, pixel: Ints) -> Rays:
-    """Rays from the eye, all of weight 1."""
+    """N rays from the eye, ``origin`` and ``direction`` (N, 3), all of weight 1."""
     count = len(origin)
     return Rays(
         origin,
