@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from playground.gui.app import LightingWindow
 
 AWAKE = 0.7  # seconds of drawing after the last event: tooltips appear, menus settle
+LEAST = 4  # frames of it, however long they take: a menu has its size in its second
 SHARE = 0.85  # of the screen that the window takes, if that is enough
 GLANCE = 0.05  # seconds between two looks at whether the reference picture is ready
 NAP = 0.5  # seconds between two looks around while asleep: the caret of a text field blinks
@@ -23,15 +24,17 @@ def loop(window: LightingWindow) -> None:
     _accept_drops(window)
     _fit(window)
     window.timer.start()
-    until = perf_counter() + AWAKE
+    until, frames = perf_counter() + AWAKE, 0
     while not window.wnd.is_closing:
         now, delta = window.timer.next_frame()
         window.wnd.use()
         window.wnd.render(now, delta)
         window.wnd.swap_buffers()
         window.ui.after_swap()
-        if busy(window) or (perf_counter() > until and _slept(window)):
-            until = perf_counter() + AWAKE
+        frames += 1
+        idle = frames >= LEAST and perf_counter() > until
+        if busy(window) or (idle and _slept(window)):
+            until, frames = perf_counter() + AWAKE, 0
 
 
 def busy(window: LightingWindow) -> bool:

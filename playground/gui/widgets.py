@@ -22,6 +22,7 @@ from playground.scene.knob import Knob, knobs
 
 if TYPE_CHECKING:
     from playground.gui.lightmap.atlas_picture import AtlasPicture
+    from playground.gui.radiosity.stored_slots import StoredSlots
 
 COLOUR_FLAGS = (
     imgui.ColorEditFlags_.float.value
@@ -43,6 +44,7 @@ class Ui:
     atlas: AtlasPicture | None = None
     factors: FactorTold = FactorTold()
     radiosity: RadiosityTold = RadiosityTold()
+    stored: StoredSlots | None = None  # the light that pictures are drawn with
 
 
 def edit(ui: Ui, item: Item, only: Iterable[str] = (), skip: Iterable[str] = ()) -> Item:

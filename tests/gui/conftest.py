@@ -4,11 +4,13 @@ import gc
 import os
 import warnings
 from itertools import pairwise
+from time import monotonic, sleep
 
 import numpy as np
 import pytest
 
 SIZE = (1280, 720)
+PATIENCE = 300.0  # seconds to wait for what takes one: for a machine that is busy, or a failure
 WITHOUT_LIBRARIES = ("test_fallback.py",)  # what can be tested where no window can be
 
 
@@ -83,6 +85,24 @@ def _settings_of_its_own(tmp_path, monkeypatch):
     monkeypatch.setenv("PLAYGROUND_SETTINGS", str(tmp_path / "settings"))
 
 
+@pytest.fixture
+def piece_by_piece(monkeypatch):
+    """Work in the window's own thread makes one piece a frame, on a fast machine too."""
+    from playground.gui.work import long_work
+
+    monkeypatch.setattr(long_work, "BUDGET", 0.0)
+
+
+@pytest.fixture
+def held_back(monkeypatch):
+    """Nothing arrives from other processes until this is called: what they do goes on."""
+    from playground.gui.work.process_work import ProcessWork
+
+    take = ProcessWork.take
+    monkeypatch.setattr(ProcessWork, "take", lambda work: ())
+    return lambda: monkeypatch.setattr(ProcessWork, "take", take)
+
+
 class Hands:
     """Drives a window frame by frame."""
 
@@ -112,6 +132,15 @@ class Hands:
             self.window.wnd.swap_buffers()
             self.window.ui.after_swap()
         assert not self.state.message.startswith("this is a bug"), self.state.message
+
+    def until(self, over):
+        """Draw frames until it is over, and a few more; fail where that does not come."""
+        end = monotonic() + PATIENCE
+        while not over():
+            assert monotonic() < end, self.state.message
+            self.frames(1)
+            sleep(0.001)  # for those that are waited for
+        self.frames()
 
     def drag(self, *points, button=0, steps=6):
         """Press at the first point, move through the others, let go at the last."""
@@ -199,8 +228,14 @@ class Hands:
 
 
 @pytest.fixture
-def hands(window):
-    """The window on the teapot, and whatever a test asks of it; no GL error is left behind."""
+def hands(window, monkeypatch):
+    """The window on the teapot, and whatever a test asks of it; no GL error is left behind.
+
+    A pixel is explained in the frame that asks for it, however long that takes: tests count frames.
+    """
+    from playground.gui.pixel import explained
+
+    monkeypatch.setattr(explained, "SHORT", float("inf"))
     made = Hands(window)
     made.load("teapot")
     yield made

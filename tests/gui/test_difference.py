@@ -2,6 +2,7 @@
 
 import time
 from dataclasses import replace
+from threading import Event
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ import pytest
 from playground.explain.colour_map import colour_of
 from playground.gui.picture import reference
 from playground.gui.picture.difference import differ
+from playground.gui.work.long_work import Piece
 from playground.render.numpy_renderer import NumpyRenderer
 from playground.scene.library import load
 
@@ -57,12 +59,7 @@ class TestInTheWindow:
         self.ready(hands)
 
     def ready(self, hands):
-        until = time.perf_counter() + 60.0
-        while hands.window.slots.reference.computing and time.perf_counter() < until:
-            time.sleep(0.01)
-            hands.frames(1)
-        assert not hands.window.slots.reference.computing
-        hands.frames(2)
+        hands.until(lambda: not hands.window.slots.reference.computing)
 
     def codes(self, hands, size, shading):
         return hands.expected(size, shading=shading)
@@ -108,13 +105,23 @@ class TestInTheWindow:
         right = picture[200:400, -100:, :3]
         np.testing.assert_array_equal(seen[200:400, -100:], right)
 
-    def test_the_window_goes_on_while_it_is_computed(self, hands):
+    def test_the_window_goes_on_while_it_is_computed(self, hands, monkeypatch):
         self.shows(hands, "wipe", "reference")
         before = hands.window.slots.reference.codes
+        real, wanted = reference.reference_pieces.pieces, Event()
+
+        def held(setup, size):
+            while not wanted.is_set():
+                time.sleep(0.001)
+                yield Piece()
+            yield from real(setup, size)
+
+        monkeypatch.setattr(reference.reference_pieces, "pieces", held)
         hands.drag((250, 300), (300, 330))  # asserts a frame each time
         assert hands.window.slots.reference.computing
         hands.frames(2)
         assert hands.window.slots.reference.codes is before  # the last one stands
+        wanted.set()
         self.ready(hands)
         assert hands.window.slots.reference.codes is not before
 

@@ -1,7 +1,5 @@
 """Shaders edited in the window are the ones that the popping scope and the speed plot measure."""
 
-from time import monotonic
-
 import pytest
 
 from playground import locate
@@ -36,11 +34,7 @@ def measuring(hands, panel, monkeypatch):
     def typed(text):
         hands.window.state = edited(hands.state, FILE, text)
         hands.frames(3)
-        until = monotonic() + 60
-        while (hands.state.scope.running or hands.state.speed.of) and monotonic() < until:
-            hands.frames(1)
-        assert not hands.state.scope.running and hands.state.speed.of is None
-        hands.frames(2)
+        hands.until(lambda: not hands.state.scope.running and hands.state.speed.of is None)
 
     yield typed
     hands.do(lambda c: c.item_close(f"Controls/{panel}"))

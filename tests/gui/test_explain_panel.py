@@ -13,7 +13,7 @@ from playground.scene.library import load
 
 imgui = pytest.importorskip("imgui_bundle").imgui
 
-from playground.gui.picture import pixel_pick  # noqa: E402
+from playground.gui.picture import pointer  # noqa: E402
 from playground.gui.pixel import (  # noqa: E402
     filter_bars,
     lobe_plot,
@@ -59,9 +59,9 @@ def test_a_place_of_the_view_belongs_to_one_picture():
     setup = load("sphere")
     left = Picture(setup, "", (0, 0, 100, 50), (0.0, 0.3))
     right = Picture(setup, "", (0, 0, 100, 50), (0.3, 1.0))
-    assert pixel_pick.place((left, right), 10.0, 25.0) == (0, (0.1, 0.5))
-    assert pixel_pick.place((left, right), 60.0, 25.0) == (1, (0.6, 0.5))
-    assert pixel_pick.place((left, right), 60.0, 50.0) is None
+    assert pointer.place((left, right), 10.0, 25.0) == (0, (0.1, 0.5))
+    assert pointer.place((left, right), 60.0, 25.0) == (1, (0.6, 0.5))
+    assert pointer.place((left, right), 60.0, 50.0) is None
 
 
 def test_a_share_of_the_picture_is_the_same_place_at_every_size():
@@ -155,14 +155,6 @@ def test_the_heaviest_vertex_is_shown_until_one_is_chosen():
     assert chosen_corner(why, Clue(corner=1)) == 1
 
 
-def _settled(hands):
-    """Let the explainer catch up."""
-    import time
-
-    time.sleep(0.4)
-    hands.frames(3)
-
-
 @pytest.mark.gl
 def test_a_click_picks_a_pixel_and_the_picture_agrees(hands):
     from playground.gui.picture.comparison import pictures
@@ -172,7 +164,7 @@ def test_a_click_picks_a_pixel_and_the_picture_agrees(hands):
     before = hands.state.setup
     codes = hands.pixels()[POINT[1] - box[1], POINT[0] - box[0]]
     hands.click(*POINT)
-    _settled(hands)
+    hands.frames(3)
     assert hands.state.setup is before  # a click moves nothing
     picture = pictures(hands.state, *box[2:])[0]
     why = explained(picture, hands.state.pixel)
@@ -216,7 +208,7 @@ def test_a_drag_picks_nothing_and_shift_follows_the_mouse(hands):
 @pytest.mark.gl
 def test_vectors_light_up_their_symbols_and_symbols_their_vectors(hands):
     hands.click(*POINT)
-    _settled(hands)
+    hands.frames(3)
     hands.io.add_mouse_pos_event(-1.0, -1.0)
     quiet = hands.pixels()
     lit = set()
@@ -248,7 +240,7 @@ def test_every_shading_and_layout_is_explained(hands, shading, layout):
     hands.window.state = replace(hands.state, layout=layout)
     hands.frames()
     hands.click(*POINT)
-    _settled(hands)
+    hands.frames(3)
     assert hands.state.pixel is not None and not hands.state.failed
     hands.wheel(1100.0, 500.0, -30.0)
     hands.wheel(1100.0, 500.0, 30.0)
@@ -259,7 +251,7 @@ def test_light_vertex_and_term_are_chosen_by_their_labels(hands):
     lights = load("teapot").scene.lights
     hands.load("teapot", shading="per-vertex", lights=lights * 2)
     hands.click(*POINT)
-    _settled(hands)
+    hands.frames(3)
 
     def script(context):
         context.set_ref("Controls")
@@ -275,5 +267,5 @@ def test_light_vertex_and_term_are_chosen_by_their_labels(hands):
 @pytest.mark.gl
 def test_the_background_is_explained_too(hands):
     hands.click(30, 60)
-    _settled(hands)
+    hands.frames(3)
     assert hands.state.pixel is not None and not hands.state.failed

@@ -10,6 +10,7 @@ import pytest
 from playground.errors import PlaygroundError
 from playground.explain.patch_pair import explain_pair
 from playground.gui.radiosity.factor_view import OTHER, UNDER, FactorView
+from playground.gui.work.aside import Aside
 from playground.gui.work.latest import Latest
 from playground.render.radiosity.factor.form_factors import METHODS
 from playground.render.radiosity.factor.hemicube import Hemicubes
@@ -26,7 +27,7 @@ from playground.gui.radiosity import (  # noqa: E402
 
 SETUP = "cornell-box"
 FLOOR, RED, GREEN = (417, 620), (200, 300), (700, 300)  # of the window: on three sides of the box
-PATIENCE = 60.0  # seconds for what takes one
+PATIENCE = 300.0  # seconds for what takes one
 
 
 @pytest.fixture(scope="module")
@@ -144,6 +145,25 @@ class TestLatest:
             latest.ask("a", refused)
         assert "no light" in latest.error and latest.item is None
 
+    def test_an_error_is_told_that_comes_just_after_one_has_looked(self, monkeypatch):
+        looked, working = Event(), Aside.working.fget
+
+        def refused():
+            looked.wait(PATIENCE)
+            raise PlaygroundError("no light at all")
+            yield
+
+        def last_moment(aside):
+            looked.set()
+            aside._thread.join(PATIENCE)
+            return working(aside)
+
+        monkeypatch.setattr(Aside, "working", property(last_moment))
+        latest = Latest()
+        for _ in range(3):
+            latest.ask("a", refused)
+        assert "no light" in latest.error and not latest.working
+
 
 def test_the_formula_has_the_numbers_of_the_pair(box):
     _, patches = box
@@ -174,12 +194,8 @@ class TestWindow:
 
     def settle(self, hands):
         """Wait for what threads compute."""
-        until = monotonic() + PATIENCE
         hands.frames(2)
-        while hands.window.slots.factors.now.working and monotonic() < until:
-            hands.frames(1)
-        hands.frames(2)
-        assert not hands.window.slots.factors.now.working
+        hands.until(lambda: not hands.window.slots.factors.now.working)
 
     def shift_click(self, hands, x, y):
         hands.io.add_key_event(hands.imgui.Key.mod_shift, True)
@@ -289,10 +305,7 @@ class TestWindow:
         hands.click(*FLOOR)
         view = replace(hands.state.factors, colouring="light")
         hands.window.state = replace(hands.state, factors=view, method=RADIOSITY)
-        until = monotonic() + PATIENCE
-        while not hands.window.slots.factors.now.solved and monotonic() < until:
-            hands.frames(1)
-        assert hands.window.slots.factors.now.solved
+        hands.until(lambda: hands.window.slots.factors.now.solved)
 
     def test_another_setup_forgets_and_one_without_light_says_so(self, hands):
         self.begin(hands)

@@ -8,8 +8,9 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from situations import TITLE
 from test_controls import choose, opened
-from test_inventory import TITLE, found, named
+from test_inventory import found, named
 from test_needs_panel import measured
 
 from playground.gui.measure.needs_log import NOTHING, dropped
@@ -335,7 +336,7 @@ def list_click(hands, c, line):
     c.item_click(tests.TestRef(lines[line]))
 
 
-def test_what_the_scene_needs_once_it_is_measured(hands):
+def test_what_the_scene_needs_once_it_is_measured(hands, piece_by_piece):
     hands.load("sphere")
     hands.window.state = measured()
     hands.do(lambda c: (opened(c, NEEDS), c.yield_(2)))

@@ -6,6 +6,7 @@ from time import monotonic
 
 import numpy as np
 import pytest
+from one_panel import alone
 
 import playground as pg
 from playground.explain.texel_places import texel_places
@@ -148,7 +149,7 @@ def test_the_folder_keeps_few_lightmaps_and_never_loses_the_one_in_use(plates):
 
 def baked(state):
     """The state when the bake has ended."""
-    run, until = BakeRun(), monotonic() + 120
+    run, until = BakeRun(), monotonic() + 300
     try:
         while state.bake.running and monotonic() < until:
             state = run.advance(state)
@@ -188,24 +189,8 @@ def panel(hands):
     """The window on two plates with the panel open, and closed again."""
     hands.load("facing-plates", **FEW)
     hands.window.state = small(hands.state)
-
-    def alone(context):
-        for name in ("View", "Terms", "Material"):
-            context.item_close(f"//Controls/{name}")
-        context.item_open(PANEL)
-
-    hands.do(alone)
-    hands.frames(2)
-    yield hands
-
-    def as_before(context):
-        context.item_close(PANEL)
-        for name in ("View", "Terms", "Material"):
-            context.item_open(f"//Controls/{name}")
-
-    hands.do(as_before)
-    hands.io.add_mouse_pos_event(-1.0, -1.0)
-    hands.frames(2)
+    with alone(hands, PANEL):
+        yield hands
 
 
 def click(hands, name):
@@ -213,10 +198,8 @@ def click(hands, name):
 
 
 def finish(hands):
-    until = monotonic() + 120
-    while hands.state.bake.running and monotonic() < until:
-        hands.frames(1)
-    assert not hands.state.bake.running and not hands.state.bake.error
+    hands.until(lambda: not hands.state.bake.running)
+    assert not hands.state.bake.error
 
 
 def box_of(hands, label):
@@ -232,10 +215,11 @@ def box_of(hands, label):
 
 
 @pytest.mark.gl
-def test_the_window_bakes_and_draws_with_it(panel):
+def test_the_window_bakes_and_draws_with_it(panel, held_back):
     before = panel.state.setup
     click(panel, "###bake")
     assert panel.state.bake.running and panel.state.setup is before
+    held_back()
     finish(panel)
     lightmap = panel.state.setup.scene.lightmap
     assert lightmap and Path(lightmap).is_file()
@@ -250,13 +234,15 @@ def test_the_window_bakes_and_draws_with_it(panel):
 
 
 @pytest.mark.gl
-def test_a_cancelled_bake_leaves_the_old_lightmap(panel, plates):
+def test_a_cancelled_bake_leaves_the_old_lightmap(panel, plates, held_back):
     file = lightmap_store.new_file(panel.state.setup)
     plates[1].save(file)
     panel.window.state = panel.state.with_setup(panel.state.setup.with_(lightmap=str(file)))
     before = panel.state.setup
     click(panel, "###bake")
+    assert panel.state.bake.running
     click(panel, "###bake")
+    held_back()
     panel.frames(5)
     assert not panel.state.bake.running and panel.state.setup is before
     assert load_lightmap(file).size == TEXELS

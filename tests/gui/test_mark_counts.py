@@ -1,7 +1,5 @@
 """The numbers beside the legend of marks are those of the picture, counted when it rests."""
 
-from time import monotonic
-
 import numpy as np
 import pytest
 from test_controls import opened
@@ -15,10 +13,8 @@ CLAMPED = COLOURS[KINDS.index("clamped")]
 
 
 def rested(hands):
-    """Frames until the pixels have been counted, or for longer than that takes."""
-    until = monotonic() + 20.0
-    while hands.state.mark_log.wanted != hands.state.mark_log.counted and monotonic() < until:
-        hands.frames(1)
+    """Frames until the pixels have been counted."""
+    hands.until(lambda: hands.state.mark_log.wanted == hands.state.mark_log.counted)
 
 
 def test_the_count_is_that_of_the_picture(hands):

@@ -1,10 +1,10 @@
 """What the scene needs: the list with its switches, and the measuring beside the window."""
 
 from dataclasses import replace
-from time import monotonic
 
 import numpy as np
 import pytest
+from one_panel import alone
 
 from playground.gui import actions
 from playground.gui.measure import needs_log, needs_run
@@ -109,22 +109,8 @@ def panel(hands, monkeypatch):
     monkeypatch.setattr(needs_run, "SIZE", (48, 36))
     monkeypatch.setattr(advisor, "Stopwatch", Costs)
     hands.load("sphere", lights=with_dark_light().scene.lights)
-
-    def alone(context):
-        for name in ("View", "Terms", "Material"):
-            context.item_close(f"//Controls/{name}")
-        context.item_open(PANEL)
-
-    hands.do(alone)
-    hands.frames(2)
-    yield hands
-
-    def as_before(context):
-        context.item_close(PANEL)
-        for name in ("View", "Terms", "Material"):
-            context.item_open(f"//Controls/{name}")
-
-    hands.do(as_before)
+    with alone(hands, PANEL):
+        yield hands
 
 
 class Costs:
@@ -145,10 +131,8 @@ def click(hands, name):
 
 
 def finish(hands):
-    until = monotonic() + 60
-    while hands.state.needs.running and monotonic() < until:
-        hands.frames(1)
-    assert not hands.state.needs.running and not hands.state.needs.error
+    hands.until(lambda: not hands.state.needs.running)
+    assert not hands.state.needs.error
 
 
 @pytest.mark.gl
@@ -189,12 +173,10 @@ def test_a_tick_drops_and_a_change_dims_the_list(panel):
 
 
 @pytest.mark.gl
-def test_cancel_keeps_what_has_been_found(panel, monkeypatch):
+def test_cancel_keeps_what_has_been_found(panel, monkeypatch, piece_by_piece):
     monkeypatch.setattr(needs_run, "SIZE", (640, 480))
     click(panel, "###measure")
-    until = monotonic() + 60
-    while not panel.state.needs.findings and monotonic() < until:
-        panel.frames(1)
+    panel.until(lambda: panel.state.needs.findings)
     assert panel.state.needs.running
     click(panel, "###measure")
     log = panel.state.needs

@@ -24,7 +24,7 @@ def all_open(hands):
     hands.load("teapot")
     for name in PANELS.keys() - {"Popping scope", "Speed and error"}:
         hands.window.state = replace(hands.state, unfold=name)
-        hands.frames(1)
+        hands.until(lambda: hands.state.unfold == "")  # until then it is scrolled to
     hands.wheel(*PANEL, 200.0)
     hands.frames(12)  # until the scene's numbers are built into its program
     return hands

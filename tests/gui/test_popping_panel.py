@@ -1,6 +1,7 @@
 """The popping scope: its path, its measuring beside the window, and how it is asked for."""
 
 from dataclasses import replace
+from threading import Event
 from time import monotonic, sleep
 
 import numpy as np
@@ -11,6 +12,7 @@ from playground.gui.measure import scope_path, scope_run
 from playground.gui.measure.scope_path import angle_of, measured, off_path, outdated, scrubbed
 from playground.gui.panels.popping import curve
 from playground.gui.state import start
+from playground.gui.work import aside
 from playground.gui.work.aside import Aside
 from playground.measure.popping import Brightness, Step, largest_jump, orbit
 from playground.scene.library import load
@@ -102,14 +104,14 @@ def test_curves_are_what_the_plot_takes():
     assert curve((), "flat", lambda value: value.peak)[1].size == 0
 
 
-def test_aside_delivers_in_order_tells_errors_and_stops():
+def test_aside_delivers_in_order_tells_errors_and_stops(monkeypatch):
     def items():
         yield from range(5)
         raise OSError("gone")
 
     work = Aside(items())
     found = ()
-    until = monotonic() + 10
+    until = monotonic() + 300
     while work.working and monotonic() < until:
         found += work.take()
         sleep(0.001)
@@ -122,6 +124,7 @@ def test_aside_delivers_in_order_tells_errors_and_stops():
             yield 1
 
     work = Aside(endless())
+    monkeypatch.setattr(aside, "PATIENCE", 300.0)
     work.close()
     assert not work._thread.is_alive()
 
@@ -135,14 +138,12 @@ def open_panel(hands, deed=lambda c: None):
 
 
 def finish(hands):
-    until = monotonic() + 60
-    while hands.state.scope.running and monotonic() < until:
-        hands.frames(1)
-    assert not hands.state.scope.running and not hands.state.scope.error
+    hands.until(lambda: not hands.state.scope.running)
+    assert not hands.state.scope.error
 
 
 @pytest.fixture
-def panel(hands, monkeypatch):
+def panel(hands, monkeypatch, piece_by_piece):
     """The window on the setup "popping" with the panel open, and closed again."""
     for module in (scope_path, scope_run):
         monkeypatch.setattr(module, "ANGLES", ANGLES)
@@ -171,7 +172,18 @@ def test_the_window_measures_beside_its_frames(panel):
 
 
 @pytest.mark.gl
-def test_cancel_stops_and_a_change_measures_again(panel):
+def test_cancel_stops_and_a_change_measures_again(panel, monkeypatch):
+    finish(panel)
+    wanted = Event()
+
+    def held(*_):
+        assert wanted.wait(60.0)
+        yield from ()
+
+    monkeypatch.setattr(scope_run, "scope", held)  # no reference comes, so that it goes on
+    panel.window.state = actions.toggle_term(panel.state, "diffuse")
+    panel.frames(2)
+    assert panel.state.scope.running
     panel.do(lambda c: c.item_click(f"{PANEL}/###measure"))
     assert not panel.state.scope.running and panel.state.scope.progress.share < 1.0
     panel.frames(3)
@@ -180,6 +192,7 @@ def test_cancel_stops_and_a_change_measures_again(panel):
     panel.frames(2)
     assert panel.state.scope.running
     assert panel.state.scope.of.settings.terms == panel.state.setup.settings.terms
+    wanted.set()
 
 
 @pytest.mark.gl

@@ -1,12 +1,11 @@
 """Pictures by any two methods beside each other, five answers to one scene, and what is kept."""
 
-import time
 from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
 import pytest
-from test_radiosity_window import PATIENCE, Solved, size_of
+from test_radiosity_window import Solved, size_of
 
 from playground.gui import actions
 from playground.gui.command_line import command_line
@@ -132,17 +131,15 @@ def solved(hands, gl_context, monkeypatch):
 
 def followed(solved, samples=2):
     """Wait until the path-traced picture has so many samples of every pixel."""
-    paths, until = solved.hands.window.slots.paths, time.perf_counter() + PATIENCE
-    size = None
-    while time.perf_counter() < until:
-        solved.hands.frames(1)
-        time.sleep(0.005)
-        size = paths.stamp[1] if paths.stamp else None
+    paths = solved.hands.window.slots.paths
+
+    def there():
         told = paths.told
-        known = size and told and not paths.computing
-        if known and told.size == sampled(size) and told.samples >= samples:
-            break
-    assert paths.told.size == sampled(size)
+        known = paths.stamp and told and not paths.computing
+        return known and told.size == sampled(paths.stamp[1]) and told.samples >= samples
+
+    solved.hands.frames(1)
+    solved.hands.until(there)
     return paths
 
 
@@ -181,10 +178,8 @@ def test_a_change_drops_the_paths_and_the_solution_stays(solved):
 def test_the_difference_to_the_solution(solved, other):
     solved.show(view={"layout": "difference", "other": other, "magnify": 16.0})
     solved.wait()
-    reference, until = solved.hands.window.slots.reference, time.perf_counter() + PATIENCE
-    while other == REFERENCE and reference.computing and time.perf_counter() < until:
-        time.sleep(0.01)
-        solved.hands.frames(1)
+    reference = solved.hands.window.slots.reference
+    solved.hands.until(lambda: other != REFERENCE or not reference.computing)
     seen = solved.wait()
     size = size_of(seen)
     beside = reference.codes[..., :3] if other == REFERENCE else None

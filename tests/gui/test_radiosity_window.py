@@ -1,6 +1,5 @@
 """Radiosity in the window: solved while it draws, never begun anew without a reason."""
 
-import time
 from dataclasses import replace
 from itertools import pairwise
 
@@ -15,7 +14,6 @@ from playground.scene.library import load
 pytestmark = pytest.mark.gl
 PATCHES = 120
 CAPTION = 40  # rows from the top in which a caption may stand
-PATIENCE = 60.0  # seconds for a solution that takes one
 
 
 class Solved:
@@ -48,19 +46,12 @@ class Solved:
         self.hands.window.state = replace(
             self.hands.state, solving=self.hands.state.solving.stepped()
         )
-        until = time.perf_counter() + PATIENCE
         self.hands.frames(1)
-        while self.run.working and time.perf_counter() < until:
-            self.hands.frames(1)
-        self.hands.frames(1)
+        self.hands.until(lambda: not self.run.working)
 
     def wait(self):
         """Until nothing more comes by itself; the pixels of the view."""
-        until = time.perf_counter() + PATIENCE
-        while self.hands.window.slots.refining and time.perf_counter() < until:
-            self.hands.frames(1)
-        assert not self.hands.window.slots.refining
-        self.hands.frames(2)
+        self.hands.until(lambda: not self.hands.window.slots.refining)
         return self.hands.pixels()
 
     def drawn(self, size, method=RADIOSITY, **changes):

@@ -20,13 +20,13 @@ from playground.gui.pixel.telling import LIT_TERMS, display_told, point_told  # 
 SIZE = (920, 651)
 PIXEL = (390, 309)
 REMEMBERING = (  # modules of playground.gui that keep what they have said, measured or placed
-    "telling",
-    "typeset",
-    "equation",
-    "side_view",
-    "triangle_mark",
-    "lobe_plot",
-    "theme",
+    "pixel.telling",
+    "pixel.equation",
+    "pixel.side_view",
+    "pixel.triangle_mark",
+    "pixel.lobe_plot",
+    "widget.typeset",
+    "widget.theme",
     "panels.explain",
     "panels.popping",
     "panels.scene",
@@ -144,11 +144,8 @@ CHANGES = {
 @pytest.mark.gl
 @pytest.mark.parametrize("notches", [0.0, -14.0], ids=["top", "further down"])
 def test_the_panel_never_shows_what_was(hands, monkeypatch, notches):
-    from playground.gui.pixel import explained
-
-    monkeypatch.setattr(explained, "SHORT", float("inf"))  # explained anew at every frame
     hands.window.state = replace(hands.state, pixel=(0.42, 0.5), unfold="Explain")
-    hands.frames(3)
+    hands.until(lambda: hands.state.unfold == "")
     hands.wheel(1100.0, 400.0, 100.0)
     hands.wheel(1100.0, 400.0, notches)
     hands.io.add_mouse_pos_event(-1.0, -1.0)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from playground import locate
+from playground.gui.shader import twins
 from playground.gui.state import State, start
 from playground.scene.library import load
 
@@ -177,3 +178,16 @@ def test_a_file_that_changes_on_disk_is_read_again(tmp_path, monkeypatch):
     assert shader_edit.text_of(again, file) == "mine" and "revert" in again.message
     assert shader_edit.text_of(shader_edit.reverted(again, file), file) == "theirs"
     assert watch.changed() == ()
+
+
+def test_a_long_twin_is_shown_where_it_meets_the_shader():
+    def led_to(file, language):
+        text, path = locate.shader(file).read_text(), twins.twin_of(file, language)
+        lines = twins.first_shared(text, twins.twin_text(path))
+        return [twins.twin_text(path).splitlines()[line - 1] for line in lines]
+
+    assert led_to("shade.glsl", "NumPy") == ["def shade("]
+    assert led_to("lib/phong.glsl", "Cg") == [
+        "float diffuse_factor(float3 normal, float3 to_light) {"
+    ]
+    assert led_to("lib/phong.glsl", "NumPy") == []  # it begins near the top, below its formula

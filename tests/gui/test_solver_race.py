@@ -7,6 +7,7 @@ from time import monotonic
 
 import numpy as np
 import pytest
+from one_panel import alone
 
 import playground as pg
 from playground.errors import PlaygroundError
@@ -139,6 +140,7 @@ def test_when_a_race_is_no_longer_that_of_the_setup():
     assert not race_log.outdated(state)
     assert not race_log.outdated(state.with_setup(state.setup.with_(eye=(0.1, 0.2, 0.3))))
     assert not race_log.outdated(state.with_setup(state.setup.with_(solver="direct")))
+    assert not race_log.outdated(state.with_setup(state.setup.with_(lightmap="baked.npz")))
     assert race_log.outdated(state.with_setup(state.setup.with_(patches=50)))
     assert race_log.outdated(state.with_setup(state.setup.with_(diffuse=GREY)))
 
@@ -155,7 +157,7 @@ class Counting:
 
 
 def all_of(work):
-    found, until = [], monotonic() + 60
+    found, until = [], monotonic() + 300
     while not work.done and monotonic() < until:
         found += work.take()
     return found
@@ -175,7 +177,7 @@ def test_a_process_makes_the_pieces_and_ends():
 def test_an_error_of_the_process_is_told():
     empty = pg.load("sphere").with_(lights=())
     run, state = RaceRun(), race_log.started(start(empty))
-    log, until = state.race, monotonic() + 60
+    log, until = state.race, monotonic() + 300
     while log.running and monotonic() < until:
         log = run.advance(log)
     assert not log.running and "light" in log.error
@@ -193,22 +195,8 @@ def test_a_process_that_is_killed_is_told():
 def panel(hands):
     """The window on a furnace with the panel open, and closed again."""
     hands.load("furnace", **FEW)
-
-    def alone(context):
-        for name in ("View", "Terms", "Material"):
-            context.item_close(f"//Controls/{name}")
-        context.item_open(PANEL)
-
-    hands.do(alone)
-    hands.frames(2)
-    yield hands
-
-    def as_before(context):
-        context.item_close(PANEL)
-        for name in ("View", "Terms", "Material"):
-            context.item_open(f"//Controls/{name}")
-
-    hands.do(as_before)
+    with alone(hands, PANEL):
+        yield hands
 
 
 def click(hands, name):
@@ -216,19 +204,18 @@ def click(hands, name):
 
 
 def finish(hands):
-    until = monotonic() + 120
-    while hands.state.race.running and monotonic() < until:
-        hands.frames(1)
-    assert not hands.state.race.running and not hands.state.race.error
+    hands.until(lambda: not hands.state.race.running)
+    assert not hands.state.race.error
 
 
 @pytest.mark.gl
-def test_the_window_races_those_that_are_chosen(panel, monkeypatch):
+def test_the_window_races_those_that_are_chosen(panel, monkeypatch, held_back):
     click(panel, "lanes/##jacobi")
     assert panel.state.race.solvers == SOLVERS[1:]
     before = panel.state.setup
     click(panel, "###race")
     assert panel.state.race.running
+    held_back()
     finish(panel)
     log = panel.state.race
     assert [lane.solver for lane in log.lanes] == list(SOLVERS[1:])
@@ -243,13 +230,14 @@ def test_the_window_races_those_that_are_chosen(panel, monkeypatch):
 
 
 @pytest.mark.gl
-def test_a_race_is_stopped_and_run_again(panel):
+def test_a_race_is_stopped_and_run_again(panel, held_back):
     panel.window.state = panel.state.with_setup(panel.state.setup.with_(patches=2000))
     click(panel, "###race")
     panel.frames(3)
     assert panel.state.race.running
     click(panel, "###race")
     assert not panel.state.race.running
+    held_back()
     panel.frames(3)
     panel.window.state = panel.state.with_setup(panel.state.setup.with_(**FEW))
     panel.frames(2)

@@ -3,7 +3,6 @@
 import csv
 import io
 from dataclasses import replace
-from time import monotonic
 
 import numpy as np
 import pytest
@@ -75,10 +74,8 @@ def panel(hands):
 
 def finish(hands):
     hands.frames(2)
-    until = monotonic() + 60
-    while hands.state.speed.of is not None and monotonic() < until:
-        hands.frames(1)
-    assert hands.state.speed.of is None and not hands.state.speed.error
+    hands.until(lambda: hands.state.speed.of is None)
+    assert not hands.state.speed.error
 
 
 @pytest.mark.gl

@@ -1,34 +1,22 @@
-"""Ray tracing in the window: its picture, the rays behind a pixel, the Snell bench."""
+"""Ray tracing in the window: the picture, how it comes about, and what lies over it."""
 
 import time
 from dataclasses import replace
-from math import asin, atan, degrees, radians, sin
+from threading import Event
 
 import numpy as np
 import pytest
+from traced import rendered, same, settle, traced
 
-from playground.explain.ray_pixel import trace_pixel
-from playground.explain.ray_tree import BLOCKED
 from playground.gui import actions
 from playground.gui.command_line import command_line
 from playground.gui.picture.comparison import pictures
-from playground.gui.rays import ray_words
-from playground.gui.rays.ray_lines import lines
-from playground.gui.rays.ray_trees import gone
-from playground.gui.rays.ray_view import ALL, PACE, REST, RayView
-from playground.gui.rays.snell import MEDIA, SNAP, Bench, angle_at, medium, shares
 from playground.gui.rays.traced_aside import MOST, effort_codes, painted, traced_codes
 from playground.gui.state import RASTER, REFERENCE, TRACED, start
 from playground.scene.library import load
-from playground.shading import optics
 
-ROOM, GLASS = "whitted-room", (610, 430)  # on the glass sphere, in pixels of the window
+ROOM = "whitted-room"
 SIZE = (64, 48)
-
-
-@pytest.fixture(scope="module")
-def tree():
-    return trace_pixel(load(ROOM), (38, 30), SIZE)
 
 
 def last(pieces):
@@ -78,99 +66,6 @@ def _shade(mode):
     return lambda state: actions.shade(state, mode)
 
 
-class TestRays:
-    def test_one_bounce_after_the_other(self):
-        view = RayView()
-        assert view.grows_to(3) == 4.0
-        less = view.stepped(-1, 3)
-        assert (less.step, less.grows_to(3)) == (2, 3.0)
-        assert less.stepped(1, 3).step == ALL
-        assert view.stepped(-9, 3).step == 0
-
-    def test_the_animation_grows_rests_and_begins_again(self):
-        view = RayView().played().later(0.5 * PACE, 2)
-        assert view.grows_to(2) == pytest.approx(0.5)
-        whole = view.later(2.6 * PACE, 2)
-        assert whole.grows_to(2) == 3.0 and whole.playing
-        assert whole.later(REST, 2).grown == 0.0
-        assert whole.played().grows_to(2) == 3.0
-
-    def test_what_was_cut_off_another_tree_means_nothing(self):
-        view = RayView(of="a").toggled(3)
-        assert view.for_tree("a") is view
-        assert view.for_tree("b").pruned == frozenset()
-        assert view.toggled(3).pruned == frozenset()
-
-    def test_a_branch_goes_with_all_that_grows_on_it(self, tree):
-        parent = next(node for node in tree.nodes[1:] if node.children)
-        cut = gone(tree, RayView(pruned=frozenset({parent.number})))
-        assert cut == {node.number for node in parent.walk()}
-        left = sum(node.added for node in tree.nodes if node.number not in cut)
-        np.testing.assert_allclose(left, tree.prune(parent), atol=1e-14)
-
-    def test_every_ray_is_a_line_and_shadow_rays_say_what_blocks_them(self, tree):
-        found = list(lines(tree, 1.0, -1))
-        rays = [line for line in found if not line.shadow]
-        assert [line.node for line in rays] == [node.number for node in tree.nodes]
-        for line, node in zip(rays, tree.nodes, strict=True):
-            np.testing.assert_array_equal(line.start, node.start)
-            assert line.since == node.depth and line.kind == node.kind
-        floor = trace_pixel(load(ROOM), (18, 36), SIZE)  # in the shadow of the mirror
-        words = [line.words for line in lines(floor, 1.0, -1) if line.kind == BLOCKED]
-        assert words == ["blocked by object 6 (sphere)"]
-
-    def test_the_words_hold_the_numbers_of_the_node(self, tree):
-        node = next(node for node in tree.nodes if node.refraction is not None)
-        said = "\n".join(ray_words.told(tree, node))
-        assert f"{node.incidence:.2f}°" in said and f"{node.refraction:.2f}°" in said
-        assert f"{node.fresnel:.4f}" in said and node.name in said
-        assert ray_words.numbers(node.weight) in said
-        assert ray_words.numbers(np.array([0.5, 0.25, 1e-90])) == "(0.5, 0.25, 0)"
-
-
-class TestSnell:
-    @pytest.mark.parametrize("above", MEDIA.values())
-    @pytest.mark.parametrize("below", MEDIA.values())
-    @pytest.mark.parametrize("angle", [0.0, 20.0, 41.0, 70.0, 89.0])
-    def test_the_bench_says_what_optics_says(self, above, below, angle):
-        bench = Bench(above=above, below=below, angle=angle)
-        turned = radians(angle)
-        given = np.cos(turned), np.sin(turned), above, below
-        assert bench.shares.mean[0] == optics.fresnel(*given)
-        assert (bench.shares.s[0], bench.shares.p[0]) == optics.fresnel_polarised(*given)
-        assert bench.shares.schlick[0] == optics.schlick_either(*given)
-        total = optics.cosine_transmitted(np.sin(turned), above, below) < 0.0
-        assert (bench.refracted is None) == total
-        if not total:  # Snell's law, to the rounding of two sines
-            left, right = above * sin(turned), below * sin(radians(bench.refracted))
-            assert left == pytest.approx(right, abs=1e-14)
-
-    def test_special_angles(self):
-        out = Bench(above=1.5, below=1.0)
-        assert out.critical == pytest.approx(degrees(asin(1.0 / 1.5)))
-        assert Bench().critical is None
-        assert Bench().brewster == pytest.approx(degrees(atan(1.5)))
-        at = shares(Bench(), np.array([Bench().brewster]))
-        assert at.p[0] == pytest.approx(0.0, abs=1e-30) and at.s[0] > 0.1
-
-    def test_a_dragged_ray_snaps_to_the_critical_angle(self):
-        out = Bench(above=1.5, below=1.0)
-        assert out.snapped(out.critical + 0.5 * SNAP).angle == out.critical
-        assert out.snapped(out.critical + 2.0 * SNAP).angle != out.critical
-        assert Bench().snapped(200.0).angle < 90.0
-
-    def test_the_way_back_is_the_way(self):
-        bench = Bench(angle=33.0)
-        back = bench.swapped()
-        assert (back.above, back.below, back.angle) == (1.5, 1.0, bench.refracted)
-        assert back.refracted == pytest.approx(33.0)
-
-    def test_names_and_the_mouse(self):
-        assert [medium(index) for index in (1.0, 1.333, 1.5, 2.42, 1.7)] == [*MEDIA, ""]
-        assert angle_at(-3.0, 3.0) == pytest.approx(45.0)
-        assert angle_at(0.0, -5.0) == 0.0
-
-
 class TestAside:
     def test_numpy_traces_the_very_picture(self):
         import playground
@@ -189,42 +84,6 @@ class TestAside:
         codes = last(effort_codes(load("glass-ring"), SIZE))
         assert codes.shape == (*SIZE[::-1], 4)
         assert len(np.unique(codes[..., :3].reshape(-1, 3), axis=0)) > 20
-
-
-def traced(hands, **changes):
-    """The setup traced, until nothing more comes."""
-    hands.window.state = replace(hands.state, method=TRACED, **changes)
-    settle(hands)
-
-
-def settle(hands):
-    hands.frames(2)
-    slots, until = hands.window.slots.traced, time.monotonic() + 60.0
-    while (not slots.done or slots.coming) and time.monotonic() < until:
-        time.sleep(0.002)
-        hands.frames(1)
-    assert slots.done and not slots.coming
-    hands.frames(1)
-
-
-def rendered(hands, **changes):
-    """The codes (H, W, 3) of a tracer that knows nothing of the window."""
-    from playground.gui.picture.orbit import widened
-    from playground.render.gl.trace.tracer import GLTracer
-
-    size = hands.window.view_box()[2:]
-    setup = hands.state.setup.with_(**changes)
-    setup = setup.with_(camera=widened(setup.camera, size[0] / size[1]))
-    codes = np.empty((size[1], size[0], 4), dtype=np.uint8)
-    with GLTracer(size, hands.window.ctx) as tracer:
-        tracer.render(setup, out=codes)
-    return codes[..., :3].astype(np.float64)
-
-
-def same(seen, expected):
-    """Up to one code where a constant in a program rounds otherwise than a uniform."""
-    assert expected.std() > 5.0
-    assert np.abs(seen - expected).max() <= 1.0
 
 
 @pytest.mark.gl
@@ -258,9 +117,8 @@ def test_the_first_picture_is_coarse_and_any_change_drops_what_is_under_way(hand
     full = rendered(hands)
     assert np.abs(coarse - full).mean() < 12.0  # it shows the same, and not as sharp
     assert np.abs(coarse - full).max() > 50.0
-    until = time.monotonic() + 30.0
-    while picture.share == 0.0 and time.monotonic() < until:
-        time.sleep(0.01)
+    end = time.monotonic() + 300.0
+    while picture.share == 0.0 and time.monotonic() < end:
         hands.frames(1)
     assert 0.0 < picture.share < 0.5
     hands.window.state = hands.state.with_setup(hands.state.setup.with_(exposure=0.5))
@@ -334,82 +192,6 @@ def test_knobs_of_ray_tracing_change_the_picture_and_are_undone(hands):
 
 
 @pytest.mark.gl
-def test_a_click_shows_the_rays_and_a_branch_is_cut_off_exactly(hands):
-    hands.load(ROOM)
-    traced(hands)
-    hands.click(*GLASS)
-    hands.io.add_mouse_pos_event(-1.0, -1.0)
-    hands.frames(3)
-    box = hands.window.view_box()
-    picture = pictures(hands.state, *box[2:])[0]
-    tree = trace_pixel(picture.setup, (GLASS[0] - box[0], GLASS[1] - box[1]), box[2:])
-    assert hands.state.rays.of == (tree.setup, tree.pixel, tree.size)
-    codes = rendered(hands)[tree.pixel[1], tree.pixel[0]]
-    assert np.abs(tree.codes - codes).max() <= 1.0  # float64 against float32
-
-    def script(c):
-        c.set_ref("//Controls")
-        c.item_click("**/##keep 1")
-        c.mouse_move("Explain/##tree")
-        c.item_click("**/###row 2")
-        c.item_click("**/−##bounce")
-
-    hands.do(script)
-    rays = hands.state.rays
-    assert rays.pruned == {1} and rays.chosen == 2 and rays.step >= 0
-    left = tree.colour - tree.prune(1)
-    np.testing.assert_allclose(left, tree.branch(1), atol=1e-15)
-    hands.key("escape")
-    assert hands.state.pixel is None
-
-
-@pytest.mark.gl
-def test_a_ray_under_the_mouse_is_lit(hands):
-    hands.load(ROOM)
-    traced(hands)
-    hands.click(*GLASS)
-    hands.frames(3)
-    hands.key("o")  # from the side the first ray is more than a point
-    settle(hands)
-    lit = set()
-    for x in range(100, 900, 20):
-        hands.io.add_mouse_pos_event(float(x), 328.0)
-        hands.frames(1)
-        lit.add(hands.state.rays.lit)
-    assert {-1, 2} <= lit
-    hands.key("o")
-    hands.io.add_mouse_pos_event(-1.0, -1.0)
-    settle(hands)
-    assert hands.state.rays.lit == -1
-
-
-@pytest.mark.gl
-def test_the_ray_of_the_bench_is_dragged_and_snaps(hands):
-    from test_controls import opened
-
-    hands.window.state = replace(hands.state, bench=Bench(above=1.5, below=1.0, angle=10.0))
-
-    def script(c):
-        opened(c, "Snell bench")
-        c.scroll_to_item_y("Snell bench/##ray")
-        c.yield_(2)
-        info = c.item_info("Snell bench/##ray")
-        found.append((info.rect_full.min, info.rect_full.max))
-
-    found = []
-    hands.do(script)
-    (low, high), critical = found[0], hands.state.bench.critical
-    centre = ((low.x + high.x) / 2.0, (low.y + high.y) / 2.0)
-    far = 0.4 * (high.y - low.y)
-    turned = radians(critical + 0.4)
-    start, end = (centre[0] - 5.0, centre[1] - far), None
-    end = (centre[0] - far * np.sin(turned), centre[1] - far * np.cos(turned))
-    hands.drag(start, end)
-    assert hands.state.bench.angle == critical
-    assert not hands.state.history.past  # it is no part of the setup
-
-
-@pytest.mark.gl
 def test_boxes_lie_over_the_picture_of_every_method(hands):
     hands.load("glass-ring")
     chalk = replace(hands.state.chalk, boxes=True, level=5)
@@ -454,9 +236,16 @@ def test_warnings_are_told(hands):
 @pytest.mark.gl
 def test_large_trees_are_built_beside_the_window(hands, monkeypatch):
     from playground.gui.rays import large_trees
-    from playground.render.trace.bvh import is_built
+    from playground.render.trace.bvh import bvh_of, is_built
+
+    wanted = Event()
+
+    def held(mesh):
+        assert wanted.wait(60.0)
+        return bvh_of(mesh)
 
     monkeypatch.setattr(large_trees, "LARGE", 100)
+    monkeypatch.setattr(large_trees, "bvh_of", held)
     hands.load("glass-ring")
     hands.window.state = hands.state.with_setup(hands.state.setup.with_(tessellation=37))
     mesh = hands.state.setup.scene.objects[1].geometry().mesh
@@ -465,6 +254,7 @@ def test_large_trees_are_built_beside_the_window(hands, monkeypatch):
     hands.frames(1)
     slots = hands.window.slots.traced
     assert slots.trees.working and not slots.done
+    wanted.set()
     settle(hands)
     assert is_built(mesh) and not slots.trees.working
     same(hands.pixels(), rendered(hands))

@@ -1,6 +1,5 @@
 """Every layout of the view shows, pixel by pixel, what a renderer without a window draws."""
 
-import time
 from dataclasses import replace
 from itertools import product
 
@@ -35,12 +34,8 @@ class Looking:
         """The pixels of the view after ``changes`` of the state, when all is computed."""
         self.hands.window.state = replace(self.hands.state, **changes)
         self.hands.frames(3)
-        reference, until = self.hands.window.slots.reference, time.perf_counter() + 60.0
-        while reference.computing and time.perf_counter() < until:
-            time.sleep(0.01)
-            self.hands.frames(1)
-        assert not reference.computing
-        self.hands.frames(2)
+        reference = self.hands.window.slots.reference
+        self.hands.until(lambda: not reference.computing)
         return self.hands.pixels()
 
     def drawn(self, size, mode, **changes):

@@ -9,6 +9,7 @@ from playground.gui.work.long_work import Piece, Pieces
 from playground.render.lightmap.bake import baking
 from playground.render.radiosity.result import radiosity
 from playground.scene.setup import Setup
+from playground.steps import retold
 
 
 @dataclass(frozen=True)
@@ -24,13 +25,7 @@ class BakeJob:
         """Solve, bake, write; the file is there when the item comes."""
         result = radiosity(self.setup)
         try:
-            work = baking(result, self.size, self.rays)
-            while True:
-                try:
-                    yield Piece(next(work))
-                except StopIteration as end:
-                    baked = end.value
-                    break
+            baked = yield from retold(baking(result, self.size, self.rays), Piece[str])
         finally:
             result.close()
         baked.lightmap.save(self.file)

@@ -12,10 +12,10 @@ from playground.explain.texel_places import TexelPlace, TexelPlaces
 from playground.gui.layers import stages
 from playground.gui.lightmap.atlas_look import Spot
 from playground.gui.lightmap.atlas_picture import AtlasPicture, baked
-from playground.gui.picture import pixel_pick
 from playground.gui.picture.canvas import Canvas, Rgb, segment
 from playground.gui.picture.comparison import Picture
 from playground.gui.picture.gizmo_math import ray, seen
+from playground.gui.picture.pointer import pointed
 from playground.gui.same_object import kept_for_same
 from playground.gui.state import State
 from playground.scene.camera import Camera
@@ -46,24 +46,19 @@ def draw(
             for picture in stages(state, shown):
                 _marked(place, places.spacing, picture, Canvas(origin, dense, scale, picture.box))
         return state
-    spot = _under_mouse(places, shown, origin, dense)
+    spot = _under_mouse(places, shown, origin)
     return state if spot == look.spot else replace(state, atlas=replace(look, spot=spot))
 
 
-def _under_mouse(
-    places: TexelPlaces, shown: tuple[Picture, ...], origin: Any, dense: Any
-) -> Spot | None:
-    if not imgui.is_window_hovered():
-        return None
-    mouse = imgui.get_io().mouse_pos
-    at = (mouse.x - origin.x) * dense.x, (mouse.y - origin.y) * dense.y
-    found = pixel_pick.place(shown, *at)
+def _under_mouse(places: TexelPlaces, shown: tuple[Picture, ...], origin: Any) -> Spot | None:
+    found = pointed(shown, origin) if imgui.is_window_hovered() else None
     if found is None:
         return None
     picture = shown[found[0]]
-    x, y, *size = picture.box
+    size = picture.box[2:]
+    at = found[1][0] * size[0], found[1][1] * size[1]
     setup = picture.setup
-    return _spot(places, setup.scene, setup.camera, str((at[0] - x, at[1] - y, *size)))
+    return _spot(places, setup.scene, setup.camera, str((*at, *size)))
 
 
 @kept_for_same(2)

@@ -10,6 +10,7 @@ from playground.gui.work.long_work import LongWork, Piece, Pieces
 from playground.measure.advice import Advice
 from playground.measure.advisor import Progress, advising
 from playground.scene.setup import Setup
+from playground.steps import retold
 
 SIZE = (320, 240)  # of the pictures: small enough that no frame waits for one
 
@@ -60,11 +61,9 @@ def pieces(log: NeedsLog, context: Any) -> Pieces[Progress | Advice]:
     steps = advising(
         log.of, log.budget, log.metric, SIZE, "gl", context, flip=False, method=log.method
     )
-    try:
-        while True:
-            told = next(steps)
-            yield Piece(told.share, told)
-    except StopIteration as end:
-        yield Piece(1.0, end.value)
-    finally:
-        steps.close()
+    advice = yield from retold(steps, _piece)
+    yield Piece(1.0, advice)
+
+
+def _piece(told: Progress) -> Piece[Progress | Advice]:
+    return Piece(told.share, told)

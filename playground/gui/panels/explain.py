@@ -11,7 +11,7 @@ from playground.explain.words import CORNERS
 from playground.gui.picture.comparison import pictures
 from playground.gui.picture.pixel_pick import forget
 from playground.gui.picture.stand import viewed
-from playground.gui.pixel import filter_bars, lobe_plot, side_view, triangle_mark
+from playground.gui.pixel import filter_bars, lobe_plot, rows, side_view, triangle_mark
 from playground.gui.pixel.clue import Clue
 from playground.gui.pixel.equation import write
 from playground.gui.pixel.explained import chosen_corner, chosen_light, explained
@@ -19,18 +19,20 @@ from playground.gui.pixel.telling import (
     LIT_TERMS,
     ChosenLight,
     LightTold,
-    Line,
     PointTold,
-    display_told,
     point_told,
 )
+from playground.gui.radiosity import stored_panel
 from playground.gui.rays import ray_tree_panel
 from playground.gui.state import State
 from playground.gui.widgets import Ui
 from playground.scene.settings import Shading
 
 SYMBOLS = {"diffuse": "d", "specular": "s", "ambient": "a"}
-PLAIN = imgui.ColorEditFlags_.no_tooltip.value | imgui.ColorEditFlags_.no_drag_drop.value
+BY_CHANCE = (
+    "The pixels of this picture are means of paths by chance: none has terms of its own. Click the "
+    "same point in another picture, by radiosity say."
+)
 
 
 def draw(state: State, ui: Ui) -> State:
@@ -42,11 +44,21 @@ def draw(state: State, ui: Ui) -> State:
     picture = shown[min(state.clue.picture, len(shown) - 1)]
     if picture.traced:
         return ray_tree_panel.draw(state, viewed(state, picture), ui)
+    if picture.stored:
+        return stored_panel.draw(state, picture, ui)
     why = explained(viewed(state, picture), state.pixel)
+    if picture.paths:
+        imgui.text_wrapped(BY_CHANCE)
+        return state
     if why is None:
         imgui.text_wrapped("This pixel cannot be explained.")
         return state
-    forgotten = _head(why)
+    forgotten = rows.head(
+        f"pixel ({why.pixel[0]}, {why.pixel[1]}), {why.setup.settings.shading}",
+        f"of {why.size[0]} × {why.size[1]}; computed in float64",
+    )
+    if why.setup.settings.bugs:
+        imgui.text_wrapped("The picture makes mistakes on purpose; this is the right colour.")
     over, clue = imgui.is_window_hovered(), state.clue
     lit = clue.lit if not over else ""
     if why.corners:
@@ -55,27 +67,10 @@ def draw(state: State, ui: Ui) -> State:
         itself = f"Light {why.light} itself: the colour it emits, s_d; its back is dark."
         nothing = "No surface here: the background."
         imgui.text_wrapped(nothing if why.light is None else itself)
-        _display(why)
+        rows.display(why)
     clue = clue if clue.lit == lit else replace(clue, lit=lit)
     state = state if clue is state.clue else replace(state, clue=clue)
     return forget(state) if forgotten else state
-
-
-def _head(why: Explanation) -> bool:
-    """What is explained; returns whether it shall be forgotten."""
-    x, y = why.pixel
-    imgui.align_text_to_frame_padding()
-    imgui.text(f"pixel ({x}, {y}), {why.setup.settings.shading}")
-    imgui.set_item_tooltip(f"of {why.size[0]} × {why.size[1]}; computed in float64")
-    imgui.same_line()
-    wide = imgui.calc_text_size("×").x + 2 * imgui.get_style().frame_padding.x
-    spare = imgui.get_content_region_avail().x - wide
-    imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + max(spare, 0.0))
-    forgotten = bool(imgui.button("×##forget"))
-    imgui.set_item_tooltip("forget the pixel (Esc, or right click into the picture)")
-    if why.setup.settings.bugs:
-        imgui.text_wrapped("The picture makes mistakes on purpose; this is the right colour.")
-    return forgotten
 
 
 def _body(why: Explanation, clue: Clue, lit: str, scale: float) -> tuple[Clue, str]:
@@ -89,10 +84,10 @@ def _body(why: Explanation, clue: Clue, lit: str, scale: float) -> tuple[Clue, s
     for i, light in enumerate(told.lights):
         clue, hit = _light(light, i, told.chosen if i == number else None, clue)
         lit = hit or lit
-    _line(told.emissive, "emissive")
+    rows.line(told.emissive, "emissive")
     if told.total:
-        _line(told.total, "corner")
-    _display(why)
+        rows.line(told.total, "corner")
+    rows.display(why)
     if told.chosen:
         clue = _filter(told.chosen, clue)
         _lobe(why, told.chosen, scale)
@@ -109,7 +104,7 @@ def _vertices(why: Explanation, told: PointTold, corner: int, clue: Clue, scale:
     imgui.text_wrapped("Evaluated at the three vertices; their colours are mixed:")
     triangle_mark.enlarged(why, scale)
     for i, (name, vertex) in enumerate(zip(CORNERS, told.vertices, strict=False)):
-        _swatch(vertex, f"vertex {name}")
+        rows.swatch(vertex, f"vertex {name}")
         imgui.same_line()
         if imgui.selectable(f"{vertex.text}###corner {name}", i == corner)[0]:
             clue = replace(clue, corner=i)
@@ -131,7 +126,7 @@ def _side(
 def _light(light: LightTold, i: int, chosen: ChosenLight | None, clue: Clue) -> tuple[Clue, str]:
     """One line per term; the formula and its numbers for the chosen light."""
     hit = ""
-    _swatch(light.total, f"light {i}")
+    rows.swatch(light.total, f"light {i}")
     imgui.same_line()
     if imgui.selectable(f"{light.total.text}###light {i}", chosen is not None)[0]:
         clue = replace(clue, light=i)
@@ -139,26 +134,13 @@ def _light(light: LightTold, i: int, chosen: ChosenLight | None, clue: Clue) -> 
     indent = 1.8 * imgui.get_font_size()
     imgui.indent(indent)
     for term in LIT_TERMS:
-        _line(light.terms[term], f"{term} {i}")
+        rows.line(light.terms[term], f"{term} {i}")
         if chosen:
             symbols, figures = chosen.equations[term]
             hit = write(symbols, clue.lit, indent=indent) or hit
             write(figures, "", faint=True, indent=indent)
     imgui.unindent(indent)
     return clue, hit
-
-
-def _display(why: Explanation) -> None:
-    """From the sum to the code on the screen."""
-    told = display_told(why)
-    imgui.separator_text("sum and display")
-    _line(told.colour, "sum")
-    imgui.text_disabled(told.steps)
-    _swatch(told.shown, "shown", large=True)
-    imgui.same_line()
-    imgui.align_text_to_frame_padding()
-    imgui.text(told.shown.text)
-    imgui.text_disabled(told.codes)
 
 
 def _filter(chosen: ChosenLight, clue: Clue) -> Clue:
@@ -180,17 +162,3 @@ def _lobe(why: Explanation, chosen: ChosenLight, scale: float) -> None:
     imgui.separator_text("the lobe of the highlight")
     lobe_plot.draw(why.shininess, chosen.angle, axis, eye, scale)
     write(chosen.lobe, "")
-
-
-def _line(line: Line, name: str) -> None:
-    """The words of a line behind its colour."""
-    _swatch(line, name)
-    imgui.same_line()
-    imgui.text(line.text)
-
-
-def _swatch(line: Line, name: str, large: bool = False) -> None:
-    """The colour of a line."""
-    side = imgui.get_frame_height() if large else imgui.get_text_line_height()
-    size = imgui.ImVec2((2.0 if large else 1.4) * side, side)
-    imgui.color_button(f"##{name}", line.colour, PLAIN, size)

@@ -10,7 +10,7 @@ from imgui_bundle import imgui
 from playground.gui.actions import shade
 from playground.gui.shader import shader_edit as code
 from playground.gui.shader.code_box import Mark, code_box
-from playground.gui.shader.twins import shown_name, twin_of, twin_text
+from playground.gui.shader.twins import first_shared, shown_name, twin_of, twin_text
 from playground.gui.widget.theme import PALETTES
 from playground.gui.widgets import Ui, bare
 from playground.scene.knob import knobs
@@ -176,7 +176,8 @@ def _text_and_twin(state: State, file: str) -> State:
         imgui.text_disabled(f"{file} has no twin in {state.twin}")
     else:
         imgui.text_disabled(shown_name(path))
-        box = code_box("twin", shown_name(path)).read_only()
+        box = code_box(f"twin of {file}", shown_name(path)).read_only()
+        box.lead_to(first_shared(text, twin_text(path)))
         box.draw("##twin code", twin_text(path), (), state.theme, imgui.ImVec2(0, 0))
     imgui.end_group()
     return state

@@ -17,11 +17,11 @@ KEPT = 4  # explanations: going back and forth between two shadings costs nothin
 REST = 2.0  # times what the last one took, before the next is computed
 SHORT = 0.02  # seconds: what takes less is computed at every frame
 Found = TypeVar("Found")
-Key = tuple[Setup, tuple[int, int], tuple[int, int]]
+Key = tuple[object, ...]
 
 
 class Explainer(Generic[Found]):
-    """A few explanations by setup, pixel and size; ``how`` makes another kind of them.
+    """A few explanations by setup, pixel, size and ``more``; ``how`` makes another kind of them.
 
     During a drag each frame asks for another one. Where they take long, most of these
     frames get the last one instead, so that the window stays fluent.
@@ -32,9 +32,11 @@ class Explainer(Generic[Found]):
         self._kept: list[tuple[Key, Found | None]] = []
         self._began = self._took = 0.0
 
-    def __call__(self, setup: Setup, pixel: tuple[int, int], size: tuple[int, int]) -> Found | None:
+    def __call__(
+        self, setup: Setup, pixel: tuple[int, int], size: tuple[int, int], *more: object
+    ) -> Found | None:
         """Why ``pixel`` has its colour, or None where the setup cannot be explained."""
-        key = (setup, pixel, size)
+        key = (setup, pixel, size, *more)
         for known, why in self._kept:
             if known == key:
                 return why
@@ -43,7 +45,7 @@ class Explainer(Generic[Found]):
             return self._kept[0][1]
         self._began = perf_counter()
         try:
-            made: Found | None = (self._how or explain)(setup, pixel, size)  # type: ignore[assignment]
+            made: Found | None = (self._how or explain)(setup, pixel, size, *more)  # type: ignore[assignment]
         except PlaygroundError:  # the renderer refuses it too, and says why
             made = None
         self._took = perf_counter() - self._began

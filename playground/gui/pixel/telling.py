@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 from math import acos, degrees
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,9 @@ from playground.explain.words import CORNERS
 from playground.gui.pixel.equation import Parts, filtered, formula, numbers, triple
 from playground.gui.pixel.triangle_mark import shown_colour
 from playground.scene.settings import TERMS
+
+if TYPE_CHECKING:
+    from playground.explain.stored_pixel import StoredPixel
 
 Array = NDArray[np.float64]
 LIT_TERMS = TERMS[:3]  # those that each light adds
@@ -83,13 +86,13 @@ def point_told(why: Explanation, corner: int, light: int) -> PointTold:
     point, mixed = why.corners[corner], len(why.corners) > 1
     mix = zip(CORNERS, why.weights, why.corners, strict=False)
     told = (f"{name}   {weight:.3f} · {triple(at.colour)}" for name, weight, at in mix)
-    vertices = (_line(why, at.colour, text) for text, at in zip(told, why.corners, strict=True))
+    vertices = (line(why, at.colour, text) for text, at in zip(told, why.corners, strict=True))
     return PointTold(
         vertices=tuple(vertices) if len(why.corners) == 3 else (),
         lights=tuple(_light(why, i, of) for i, of in enumerate(point.lights)),
         chosen=_chosen(why, point, point.lights[light]) if light >= 0 else None,
-        emissive=_line(why, point.emissive, f"emissive  {triple(point.emissive)}"),
-        total=_line(why, point.colour, f"sum at this vertex  {triple(point.colour)}")
+        emissive=line(why, point.emissive, f"emissive  {triple(point.emissive)}"),
+        total=line(why, point.colour, f"sum at this vertex  {triple(point.colour)}")
         if mixed
         else None,
     )
@@ -99,8 +102,8 @@ def _light(why: Explanation, i: int, light: LightAtPoint) -> LightTold:
     total = light.diffuse + light.specular + light.ambient
     added = {term: getattr(light, term) for term in LIT_TERMS}
     return LightTold(
-        _line(why, total, f"light {i}  {light.kind}   {triple(total)}"),
-        {term: _line(why, by, f"{term}  {triple(by)}") for term, by in added.items()},
+        line(why, total, f"light {i}  {light.kind}   {triple(total)}"),
+        {term: line(why, by, f"{term}  {triple(by)}") for term, by in added.items()},
     )
 
 
@@ -128,7 +131,7 @@ def _chosen(why: Explanation, point: ShadedPoint, light: LightAtPoint) -> Chosen
 
 
 @lru_cache(maxsize=KEPT)
-def display_told(why: Explanation) -> DisplayTold:
+def display_told(why: Explanation | StoredPixel) -> DisplayTold:
     """What is said of the sum, and of what the display makes of it."""
     settings = why.setup.settings
     steps = [f"× {settings.exposure:g}"] if settings.exposure != 1.0 else []
@@ -138,14 +141,14 @@ def display_told(why: Explanation) -> DisplayTold:
         steps.append("clamp: nothing to cut")
     steps += ["sRGB curve"] if settings.curve == "srgb" else []
     return DisplayTold(
-        colour=_line(why, why.colour, f"colour  {triple(why.colour)}"),
+        colour=line(why, why.colour, f"colour  {triple(why.colour)}"),
         steps="    " + ", ".join(steps or ["as it is"]),
-        shown=_line(why, why.colour, f"shown  {triple(why.shown)}"),
+        shown=line(why, why.colour, f"shown  {triple(why.shown)}"),
         codes="    8-bit code  " + " ".join(str(int(code)) for code in why.codes),
     )
 
 
-def _line(why: Explanation, colour: Array, text: str) -> Line:
+def line(why: Explanation | StoredPixel, colour: Array, text: str) -> Line:
     """A line about a linear colour."""
     red, green, blue = (code / 255.0 for code in shown_colour(why, colour))
     return Line(text, (red, green, blue, 1.0))

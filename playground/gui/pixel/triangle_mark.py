@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 from math import hypot
 from operator import mul
+from typing import TYPE_CHECKING
 
 import numpy as np
 from imgui_bundle import imgui
@@ -16,17 +17,20 @@ from playground.gui.pixel.vector_pen import Places, Point, Rect, ink
 from playground.render.surface import Surface
 from playground.shading.display import code8, display_colour
 
+if TYPE_CHECKING:
+    from playground.explain.stored_pixel import StoredPixel
+
 Array = NDArray[np.float64]
 ROWS = 9  # of small triangles in the enlarged one
 
 
-def shown_codes(why: Explanation, colours: Array) -> NDArray[np.uint8]:
+def shown_codes(why: Explanation | StoredPixel, colours: Array) -> NDArray[np.uint8]:
     """Linear colours (..., 3) as the display shows them."""
     settings = why.setup.settings
     return code8(display_colour(colours, settings.exposure, settings.clamp, settings.curve))
 
 
-def shown_colour(why: Explanation, colour: Array) -> tuple[int, int, int]:
+def shown_colour(why: Explanation | StoredPixel, colour: Array) -> tuple[int, int, int]:
     """A linear colour as the display shows it."""
     red, green, blue = shown_codes(why, colour).tolist()
     return red, green, blue

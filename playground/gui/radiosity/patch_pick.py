@@ -9,7 +9,7 @@ from imgui_bundle import imgui
 from playground.explain.patch_at import patch_at
 from playground.gui.picture.comparison import pictures
 from playground.gui.picture.gizmo_math import ray, seen
-from playground.gui.picture.pixel_pick import place, tapped
+from playground.gui.picture.pointer import moving, pointed, pressing, tapped
 from playground.gui.radiosity.factor_view import FactorView
 from playground.gui.state import State
 
@@ -27,18 +27,17 @@ def picked(state: State, origin: imgui.ImVec2, size: tuple[int, int]) -> State:
     size : tuple of int
         Of the view, in pixels of the framebuffer.
     """
-    view, io = state.factors, imgui.get_io()
-    over = imgui.is_item_hovered()
-    if over and imgui.is_item_deactivated() and tapped(1):
+    view = state.factors
+    if tapped(1):
         return replace(state, factors=view.forgotten())
-    moved = bool(io.mouse_delta.x or io.mouse_delta.y) or view.under is None
-    clicked = over and imgui.is_item_deactivated() and tapped(0)
-    if not over:
+    clicked = tapped(0)
+    if not imgui.is_item_hovered():
         view = view if view.under is None else replace(view, under=None)
-    elif (moved and not any(io.mouse_down[i] for i in range(3))) or clicked:
+    elif clicked or ((moving() or view.under is None) and not pressing()):
         under = _under(state, origin, size)
         view = view if view.under == under else replace(view, under=under)
-        view = view.clicked(under, io.key_shift) if clicked and under is not None else view
+        if clicked and under is not None:
+            view = view.clicked(under, imgui.get_io().key_shift)
     return state if view is state.factors else _with(state, view)
 
 
@@ -50,11 +49,8 @@ def _with(state: State, view: FactorView) -> State:
 
 def _under(state: State, origin: imgui.ImVec2, size: tuple[int, int]) -> int | None:
     """The patch under the mouse."""
-    patches, io = state.factors.of, imgui.get_io()
-    dense = io.display_framebuffer_scale
-    at = ((io.mouse_pos.x - origin.x) * dense.x, (io.mouse_pos.y - origin.y) * dense.y)
-    shown = pictures(state, *size)
-    found = place(shown, *at)
+    patches, shown = state.factors.of, pictures(state, *size)
+    found = pointed(shown, origin)
     if found is None or patches is None:
         return None
     picture = shown[found[0]]

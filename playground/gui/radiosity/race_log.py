@@ -120,7 +120,7 @@ def outdated(state: State) -> bool:
     if of is None or (of.scene is now.scene and of.settings is now.settings):
         return False
     there, here = (_matters(setup.settings) for setup in (of, now))
-    return there != here or of.scene != now.scene
+    return there != here or of.scene != replace(now.scene, lightmap=of.scene.lightmap)
 
 
 def _matters(settings: Settings) -> tuple[object, ...]:

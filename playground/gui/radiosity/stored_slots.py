@@ -18,6 +18,11 @@ from playground.render.lightmap.light_source import LightmapLight
 from playground.scene.setup import Setup
 
 Place = tuple[int, str]  # number in the layout, method
+HERE = "Bake in the panel Lightmap does it here."
+NONE_YET = (
+    "this setup has none yet. Press Bake in the panel Lightmap; or, on the command line, "
+    "playground bake SETUP -o out.toml, and open out.toml."
+)
 
 
 class Lent:
@@ -53,7 +58,6 @@ class StoredSlots:
         self.radiosity = RadiosityRun(context)
         self._lightmap = LightmapLight()
         self.no_lightmap = ""  # why there is none to draw with
-        self.renewed = 0  # how often a lightmap was asked for again
         self._wanted = False
         self._marker = PatchMarker()
 
@@ -87,10 +91,6 @@ class StoredSlots:
         for place in set(self._slots) - used:
             self._slots.pop(place)[0].release()
             self._asked.pop(place, None)
-
-    def renew(self) -> None:
-        """Ask for the lightmap anew: its file may hold another one."""
-        self.renewed += 1
 
     def stamp(self, number: int, method: str) -> object:
         """What changes whenever a picture does."""
@@ -143,7 +143,7 @@ class StoredSlots:
         return self._slots[place]
 
     def _stamp(self, place: Place) -> int:
-        return self.radiosity.draws if place[1] == RADIOSITY else self.renewed
+        return self.radiosity.draws if place[1] == RADIOSITY else 0  # a lightmap stays as it is
 
     def _light(self, place: Place, setup: Setup, solving: Solving) -> Light:
         if place[1] == RADIOSITY:
@@ -151,7 +151,7 @@ class StoredSlots:
         try:
             light = self._lightmap.stored(setup)
         except PlaygroundError as error:
-            self.no_lightmap = str(error)
+            self.no_lightmap = f"{error} {HERE}" if setup.scene.lightmap else NONE_YET
             return (None,) * len(setup.scene.objects)
         self.no_lightmap = ""
         return light

@@ -10,10 +10,10 @@ from playground.gui.picture.canvas import ink
 from playground.gui.picture.comparison import Box, Picture
 from playground.gui.radiosity.stored_slots import StoredSlots
 from playground.gui.scene_view import Slots
-from playground.gui.state import RADIOSITY
+from playground.gui.state import LIGHTMAP, RADIOSITY
 
 WHITE = (1.0, 1.0, 1.0)
-NO_LIGHT = {RADIOSITY: "No radiosity: ", "lightmap": "No lightmap: "}
+NO_LIGHT = {RADIOSITY: "No radiosity: ", LIGHTMAP: "No lightmap: "}
 ROOM = 0.86  # of the width of the picture, for words
 
 

@@ -7,9 +7,10 @@ from dataclasses import replace
 import numpy as np
 from imgui_bundle import imgui
 
-from playground.explain.ray_tree import RayTree, added_up
+from playground.explain.ray_tree import RayNode, RayTree
 from playground.gui.picture.comparison import Picture
 from playground.gui.picture.pixel_pick import forget
+from playground.gui.pixel import rows
 from playground.gui.rays import ray_diagram, ray_words
 from playground.gui.rays.ray_colours import legend
 from playground.gui.rays.ray_trees import deepest, gone, key_of, tree_of
@@ -28,7 +29,12 @@ def draw(state: State, picture: Picture, ui: Ui) -> State:
     if tree is None:
         imgui.text_wrapped("The rays of this pixel cannot be followed.")
         return state
-    forgotten = _head(tree)
+    samples = tree.setup.settings.samples
+    mean = f"; the picture is the mean of {samples} samples" if samples > 1 else ""
+    forgotten = rows.head(
+        f"pixel ({tree.pixel[0]}, {tree.pixel[1]}), {plural(len(tree.nodes))}",
+        f"through the centre of the pixel, in float64{mean}",
+    )
     rays = state.rays.for_tree(key_of(tree))
     if imgui.is_window_hovered(imgui.HoveredFlags_.child_windows.value):
         rays = replace(rays, lit=-1) if rays.lit >= 0 else rays
@@ -47,22 +53,6 @@ def draw(state: State, picture: Picture, ui: Ui) -> State:
     _node(tree, rays)
     state = state if rays == state.rays else replace(state, rays=rays)
     return forget(state) if forgotten else state
-
-
-def _head(tree: RayTree) -> bool:
-    """Which pixel; returns whether it shall be forgotten."""
-    imgui.align_text_to_frame_padding()
-    imgui.text(f"pixel ({tree.pixel[0]}, {tree.pixel[1]}), {plural(len(tree.nodes))}")
-    samples = tree.setup.settings.samples
-    mean = f"; the picture is the mean of {samples} samples" if samples > 1 else ""
-    imgui.set_item_tooltip(f"through the centre of the pixel, in float64{mean}")
-    imgui.same_line()
-    wide = imgui.calc_text_size("×").x + 2 * imgui.get_style().frame_padding.x
-    spare = imgui.get_content_region_avail().x - wide
-    imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + max(spare, 0.0))
-    forgotten = bool(imgui.button("×##forget"))
-    imgui.set_item_tooltip("forget the pixel (Esc, or right click into the picture)")
-    return forgotten
 
 
 def plural(count: int) -> str:
@@ -100,7 +90,7 @@ def _pointed_at(rays: RayView, hit: int, clicked: bool) -> RayView:
 
 def _sum(tree: RayTree, cut: frozenset[int]) -> None:
     """The pixel, without what is cut off, and whether the weights multiply out to it."""
-    left = added_up(node for node in tree.nodes if node.number not in cut)
+    left, away = tree.prune(*cut), tree.branch(*cut)
     imgui.separator_text("the pixel is the sum of weight ⊗ colour")
     side = imgui.get_frame_height()
     size = imgui.ImVec2(2.0 * side, side)
@@ -111,7 +101,6 @@ def _sum(tree: RayTree, cut: frozenset[int]) -> None:
         imgui.text(ray_words.numbers(colour))
         imgui.same_line()
         imgui.text_disabled("all rays" if name == "pixel" else "pruned")
-    away = added_up(node for node in tree.nodes if node.number in cut)
     words = f"cut off is exactly {ray_words.numbers(away)}"
     imgui.text_disabled(words if cut else "untick a ray below to cut its branch off")
     off, allowed = tree.error, tree.rounding
@@ -152,6 +141,12 @@ def _list(tree: RayTree, rays: RayView, cut: frozenset[int], lit: int) -> RayVie
     return rays
 
 
+def _fitting(node: RayNode) -> str:
+    """As much about a node as there is room for; its tooltip says all."""
+    texts, room = ray_words.lines(node), imgui.get_content_region_avail().x
+    return next((text for text in texts if imgui.calc_text_size(text).x <= room), texts[-1])
+
+
 def _rows(tree: RayTree, rays: RayView, cut: frozenset[int], lit: int) -> RayView:
     """The ticks keep branches on the tree."""
     side = imgui.get_text_line_height()
@@ -164,12 +159,12 @@ def _rows(tree: RayTree, rays: RayView, cut: frozenset[int], lit: int) -> RayVie
         imgui.set_item_tooltip("on the tree, with all that grows on it")
         imgui.same_line()
         colour = ray_diagram.shown(tree, node.local)
+        imgui.set_cursor_pos_y(imgui.get_cursor_pos_y() + imgui.get_style().frame_padding.y)
         imgui.color_button(f"##ray {node.number}", colour, PLAIN, imgui.ImVec2(side, side))
         imgui.same_line()
         on, faint = node.number in (rays.chosen, lit), node.number in cut
         imgui.begin_disabled(faint)
-        text = f"{node.depth} {ray_words.line(node)}###row {node.number}"
-        if imgui.selectable(text, on)[0]:
+        if imgui.selectable(f"{_fitting(node)}###row {node.number}", on)[0]:
             rays = _pointed_at(rays, node.number, True)
         hovered = imgui.is_item_hovered(imgui.HoveredFlags_.allow_when_disabled.value)
         imgui.end_disabled()

@@ -18,15 +18,18 @@ def numbers(values: Array) -> str:
     return texts[0] if len(set(texts)) == 1 else f"({', '.join(texts)})"
 
 
-def line(node: RayNode) -> str:
-    """One line for a list: kind, object, angles, Fresnel's share."""
-    angles = ""
-    if node.incidence is not None:
-        angles = f"  {node.incidence:.1f}°"
-        angles += f" > {node.refraction:.1f}°" if node.refraction is not None else ""
+def lines(node: RayNode) -> tuple[str, ...]:
+    """One line for a list: depth, kind, object, angles, Fresnel's share; then ever shorter ones.
+
+    What goes first is what the others name too: the mesh, Fresnel's share, the angle beyond.
+    """
+    kind, where = SHORT.get(node.kind, node.kind), node.name.removeprefix("object ")
+    angle = f"  {node.incidence:.1f}°" if node.incidence is not None else ""
+    beyond = f" > {node.refraction:.1f}°" if node.refraction is not None else ""
     share = f"  F {node.fresnel:.2f}" if node.fresnel is not None else ""
-    where = node.name.removeprefix("object ")
-    return f"{SHORT.get(node.kind, node.kind)}, {where}{angles}{share}"
+    named, number = f"{node.depth} {kind}, {where}", f"{node.depth} {kind}, {where.split(' (')[0]}"
+    every = (named + angle + beyond + share, number + angle + beyond + share)
+    return tuple(dict.fromkeys((*every, number + angle + beyond, number + angle, number)))
 
 
 def told(tree: RayTree, node: RayNode) -> Iterable[str]:

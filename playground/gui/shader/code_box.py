@@ -35,6 +35,7 @@ class CodeBox:
         self._raw = ""
         self._look: tuple[object, ...] = ()
         self._first = 0
+        self._paper = 0
 
     def draw(
         self, name: str, text: str, marks: tuple[Mark, ...], colours: str, size: imgui.ImVec2
@@ -49,7 +50,10 @@ class CodeBox:
         if self._look != (marks, colours):
             self._mark(marks, colours)
         theme.push_code_font()
+        # The corner between the scroll bars has the colour of the paper, so they have it too.
+        imgui.push_style_color(imgui.Col_.scrollbar_bg, self._paper)
         self._editor.render(name, size)
+        imgui.pop_style_color()
         imgui.pop_font()
         if self._editor.is_read_only_enabled():
             return text
@@ -76,7 +80,9 @@ class CodeBox:
     def _mark(self, marks: tuple[Mark, ...], colours: str) -> None:
         dark = colours == "dark"
         palettes = TextEditor.get_dark_palette, TextEditor.get_light_palette
-        self._editor.set_palette(palettes[not dark]())
+        palette = palettes[not dark]()
+        self._editor.set_palette(palette)
+        self._paper = palette.get(TextEditor.Color.background)
         tints = {
             "error": imgui.IM_COL32(255, 60, 40, 110),
             "include": imgui.IM_COL32(70, 130, 220, 60),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import lru_cache
 from pathlib import Path, PurePosixPath
 
@@ -14,6 +15,8 @@ STAGES = {
     "phong.vert": "phong_per_fragment",
     "phong.frag": "phong_per_fragment",
 }
+NEAR = 25  # lines from the top that are seen anyway
+FUNCTION = re.compile(r"^\w+ (\w+)\(", re.MULTILINE)  # its first line, flush left
 
 
 def twin_of(file: str, language: str) -> Path | None:
@@ -34,6 +37,23 @@ def twin_of(file: str, language: str) -> Path | None:
     path = locate.shader(f"{suffix}/{name}.{suffix}")
     shared = language == "HLSL" or folder != "lib" or stem in ("phong", "vector", "power")
     return path if known and shared and path.is_file() else None
+
+
+def first_shared(text: str, twin: str) -> list[int]:
+    """The line (from 1) of the twin with the first function that the shader file defines too.
+
+    None where that is near the top: there, what stands above it is worth reading.
+    """
+    names = set(FUNCTION.findall(text))
+    found = (name in names for name in (_defined(line) for line in twin.splitlines()))
+    lines = [number for number, shared in enumerate(found, 1) if shared][:1]
+    return [line for line in lines if line > NEAR]
+
+
+def _defined(line: str) -> str:
+    """The name of the function that a line begins to define, or nothing."""
+    match = FUNCTION.match(line)
+    return match.group(1) if match else ""
 
 
 @lru_cache(maxsize=32)

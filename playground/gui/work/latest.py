@@ -38,7 +38,7 @@ class Latest(Generic[Item]):
     @property
     def working(self) -> bool:
         """Whether a better item may come."""
-        return self._aside is not None and self._aside.working
+        return self._aside is not None
 
     def rest(self) -> None:
         """Nothing is asked for any more; what is being made is left to end by itself."""
@@ -53,14 +53,16 @@ class Latest(Generic[Item]):
         self.rest()
 
     def _take(self) -> None:
-        if self._aside is None:
+        aside = self._aside
+        if aside is None:
             return
-        for item in self._aside.take():
+        ended = not aside.working  # asked before the last items are taken, not after
+        for item in aside.take():
             self.item = item
-        error = self._aside.error
-        if isinstance(error, PlaygroundError):
-            self.item, self.error = None, str(error)
-        elif error is not None:
-            raise error
-        if not self._aside.working:
-            self._aside = None
+        if not ended:
+            return
+        self._aside = None
+        if isinstance(aside.error, PlaygroundError):
+            self.item, self.error = None, str(aside.error)
+        elif aside.error is not None:
+            raise aside.error

@@ -39,8 +39,12 @@ def _send(answers: BinaryIO, item: object) -> None:
 
 
 def _leave_with(asked: BinaryIO) -> None:
-    """End at once when the other side is gone."""
-    asked.read(1)
+    """End at once when the other side is gone.
+
+    Read below Python's buffer: whoever waits in it holds its lock, and an interpreter that ends
+    by itself, its job done, would miss that and complain.
+    """
+    os.read(asked.fileno(), 1)
     os._exit(0)
 
 
