@@ -288,7 +288,7 @@ class TestWindow:
         assert seen[0] in near and hands.state.factors.other == seen[0]
 
     def test_a_coarser_hemicube_and_other_colours_are_drawn_anew(self, hands):
-        self.begin(hands)
+        self.begin(hands, patches=70)  # not those that another test has solved
         hands.click(*FLOOR)
         self.settle(hands)
         for changes in ({"resolution": 8}, {"colouring": "delta"}, {"colouring": "light"}):

@@ -8,6 +8,7 @@ from time import monotonic, sleep
 import numpy as np
 import pytest
 
+from playground.gui.frame import PANEL_WIDTH, between
 from playground.gui.lesson.lesson_course import SHADERS, Course, open_lesson, staged
 from playground.gui.panels import lesson as panel
 from playground.gui.shortcuts import ACTIONS
@@ -231,10 +232,12 @@ def lesson_pixels(hands):
 def test_the_view_makes_room(hands, course):
     x, _, width, _ = hands.window.view_box()
     wide = panel.width(hands.state, 1280, 1.0)
-    assert x == wide == 430
+    lesson, controls = between(wide, round(PANEL_WIDTH), 1280, 1.0)
+    assert wide == 430 and x == lesson and width == 1280 - lesson - controls
     hands.window.state = replace(hands.state, lesson=None)
     hands.frames(2)
-    assert hands.window.view_box()[0] == 0 and hands.window.view_box()[2] == width + wide
+    assert hands.window.view_box()[0] == 0
+    assert hands.window.view_box()[2] == 1280 - PANEL_WIDTH
 
 
 def test_a_saved_change_is_read_at_once_and_the_step_stays(hands, course):
