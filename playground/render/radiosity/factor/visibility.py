@@ -27,6 +27,7 @@ Bools = NDArray[np.bool_]
 # the shear of a ray by six, the products of the test by a few more: below 20 in all.
 LIFT = 32.0
 UNIT = float(np.finfo(np.float64).eps)
+SINGLE = float(np.finfo(np.float32).eps)
 BATCH = 1 << 22  # heights of parents over planes at a time
 
 
@@ -115,12 +116,14 @@ def can_hide(patches: Patches) -> Bools:
     """Which parents have others on both sides of their plane, (M,): only they can hide anything.
 
     The walls of a room with nothing outside stand in no way: no ray is tested against them.
+    Coordinates of meshes are float32: what lies behind a plane by no more than their rounding
+    lies on it, as a block does that was put onto a floor.
     """
     corners = patches.parents.corners
     normal = parent_normals(patches)
     points = np.unique(corners.reshape(-1, 3), axis=0)
     found, step = [], max(BATCH // len(points), 1)
-    rounding = lift_of(patches)
+    rounding = max(lift_of(patches), SINGLE * size_of(patches))
     for first in range(0, len(corners), step):
         up = normal[first : first + step]
         height = (
