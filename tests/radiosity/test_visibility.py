@@ -4,10 +4,12 @@ import numpy as np
 import pytest
 from plates import BELOW, adjacent_plates, cube, patches_of, rectangle, room
 
+import playground as pg
 from playground.render.radiosity.factor.closed_form import closed_form
 from playground.render.radiosity.factor.form_factors import point_to_point
 from playground.render.radiosity.factor.pairs import (
     _share,
+    _touched,
     by_size,
     exact,
     looks,
@@ -15,6 +17,7 @@ from playground.render.radiosity.factor.pairs import (
     visible,
 )
 from playground.render.radiosity.factor.visibility import between, can_hide, facing, lift_of
+from playground.render.radiosity.patch.divide import divide
 
 ABOVE = rectangle((0, 0, 1), (0, 1, 0), (1, 0, 0))  # faces −z
 FIRST, SECOND = np.array([0]), np.array([1])
@@ -36,6 +39,25 @@ def test_walls_of_a_room_hide_nothing_blocks_in_it_do():
     assert not can_hide(cube(2)).any()
     assert between(cube(2)).tree.nodes == 0, "no ray is tested against a wall"
     assert can_hide(room(2, 1)).tolist() == [False] * 6 + [True] * 12
+
+
+def test_what_stands_out_of_a_plane_by_the_rounding_of_float32_hides_nothing():
+    """In the Cornell box the blocks are put onto the floor, and its walls are not upright."""
+    patches = divide(pg.load("cornell-box").with_(patches=100))
+    hiding = patches.parents.corners[can_hide(patches)]
+    assert len(hiding) == 10  # five faces of each block
+    assert hiding[..., 1].max() == pytest.approx(330.0, abs=1e-3)  # the height of the tall one
+
+
+def test_no_segment_is_sent_past_the_box_around_what_can_hide():
+    patches = divide(pg.load("cornell-box").with_(patches=300))
+    i, j = np.triu_indices(len(patches), 1)
+    seen = facing(patches, i, j)
+    i, j = i[seen], j[seen]
+    past = ~_touched(patches, i, j)
+    assert 0.2 < past.mean() < 0.5
+    assert (_share(patches, i[past], j[past], segments(3)) == 1.0).all()
+    assert (visible(patches, i[past], j[past], 3) == 1.0).all()
 
 
 def test_patches_face_each_other_if_a_part_of_each_is_before_the_other():

@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from playground.render.radiosity.factor.closed_form import ClosedForm, closed_form
 from playground.render.radiosity.factor.hemicube import hemicube
 from playground.render.radiosity.factor.hemisphere import hemisphere
+from playground.render.radiosity.factor.pairs import enough_rays
 from playground.render.radiosity.factor.visibility import between, facing
 from playground.render.radiosity.patch.patches import Patches
 from playground.scene.settings import Settings
@@ -139,7 +140,8 @@ def open_rows(
             if found is not None:
                 return found
     if method == "closed-form":
-        return OpenRows(ClosedForm(patches, occlusion), "numpy", _nothing)
+        rays = enough_rays(len(patches))
+        return OpenRows(ClosedForm(patches, occlusion, rays=rays), "numpy", _nothing)
     knobs: dict[str, Any] = {"resolution": settings.hemicube} if method == "hemicube" else {}
 
     def rows(chosen: Ints) -> Array:
@@ -161,8 +163,9 @@ def _on_gpu(patches: Patches, settings: Settings, context: moderngl.Context) -> 
         return OpenRows(cubes.rows, "gl", cubes.release)
     from playground.render.gl.radiosity.pairs import GpuPairs
 
-    pairs = GpuPairs(context, patches, occlusion)
-    return OpenRows(ClosedForm(patches, occlusion, gpu=pairs), "gl", pairs.release)
+    rays = enough_rays(len(patches))
+    pairs = GpuPairs(context, patches, occlusion, rays=rays)
+    return OpenRows(ClosedForm(patches, occlusion, rays=rays, gpu=pairs), "gl", pairs.release)
 
 
 def _nothing() -> None:

@@ -42,6 +42,7 @@ Side = tuple[Array, Array]  # corners (P, 4, 3) and unit normals (P, 3)
 # distance^-6 and ^-4.
 NEAR = 1.25
 BATCH = 20_000  # pairs at a time: some 30 MB
+MANY = 4000  # patches
 LOOKS = 2  # per side, squared: the segments that tell whether more are needed
 INSET = 0.1  # of a side: how far from the edge they end; nearer, they find few more half-shadows
 
@@ -62,6 +63,16 @@ def exchange(
         at = np.flatnonzero(~close & (share > 0.0))
         found[part[at]] = share[at] * unhidden(patches, small[at], large[at], points)
     return found
+
+
+def enough_rays(patches: int) -> int:
+    """Segments per side for a scene of so many patches: the smaller, the fewer are in half-shadow.
+
+    The matrix of the Cornell box is off by 0.19 % with 5 at 2,400 patches; with 3 by 0.32 % at
+    5,000 and 0.28 % at 10,000, in 0.86 of the time (the sum of all errors beside that of all
+    factors, against 13).
+    """
+    return 5 if patches <= MANY else 3
 
 
 def by_size(patches: Patches, i: Ints, j: Ints) -> tuple[Ints, Ints]:
@@ -102,15 +113,26 @@ def visible(patches: Patches, i: Ints, j: Ints, rays: int, look: bool = True) ->
     """The share of what pairs would exchange that gets through, (P,).
 
     By rays² segments for each pair; with ``look``, only where those near the corners disagree.
+    None are sent where the box around both patches touches nothing that hides.
     """
-    if between(patches).tree.nodes == 0:
-        return np.ones(len(i))
-    if not look:
-        return _share(patches, i, j, segments(rays))
-    share = _share(patches, i, j, looks())
-    partly = np.flatnonzero((share > 0.0) & (share < 1.0))
-    share[partly] = _share(patches, i[partly], j[partly], segments(rays))
+    share = np.ones(len(i))
+    asked = np.flatnonzero(_touched(patches, i, j))
+    if look:
+        share[asked] = _share(patches, i[asked], j[asked], looks())
+        asked = asked[(share[asked] > 0.0) & (share[asked] < 1.0)]
+    share[asked] = _share(patches, i[asked], j[asked], segments(rays))
     return share
+
+
+def _touched(patches: Patches, i: Ints, j: Ints) -> NDArray[np.bool_]:
+    """Whether the box around each pair touches the one around all that can hide, (P,)."""
+    stands = between(patches)
+    if stands.tree.nodes == 0:
+        return np.zeros(len(i), dtype=bool)
+    low, high = patches.box
+    above = np.minimum(low[i], low[j]) - stands.lift <= stands.tree.high[0]
+    below = np.maximum(high[i], high[j]) + stands.lift >= stands.tree.low[0]
+    return np.asarray(np.all(above & below, axis=1))
 
 
 def looks() -> Array:

@@ -124,6 +124,11 @@ class Patches:
         return np.asarray(np.take_along_axis(self.polygon, place[..., None], axis=1))
 
     @cached_property
+    def box(self) -> tuple[Array, Array]:
+        """The lowest and the highest coordinates of each patch, (N, 3) both."""
+        return self.polygon.min(axis=1), self.polygon.max(axis=1)
+
+    @cached_property
     def rank(self) -> Ints:
         """The place of each patch, (N,), from the smallest to the largest.
 
