@@ -1,6 +1,7 @@
 """What every test shares: a seed, warnings as errors, and a skip that can fail."""
 
 import os
+import signal
 
 import numpy as np
 import pytest
@@ -10,6 +11,10 @@ settings.register_profile(  # the same examples at every run, however slow the m
     "same", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.load_profile("same")
+
+# A shell that runs the tests in the background has them ignore Ctrl-C, and all they start.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture

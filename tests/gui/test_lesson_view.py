@@ -9,7 +9,7 @@ import numpy as np
 from imgui_bundle import imgui
 
 import playground as pg
-from playground.gui.lesson.lesson_course import open_lesson
+from playground.gui.lesson.lesson_course import answer, open_lesson
 from playground.gui.lesson.lesson_pictures import LessonPictures
 from playground.gui.lesson.lesson_run import LessonRun
 from playground.gui.picture.orbit import widened
@@ -93,3 +93,30 @@ def test_a_panel_is_opened_on_top_though_those_above_it_change(hands, monkeypatc
     monkeypatch.setattr(imgui, "collapsing_header", noted)
     hands.frames(1)
     assert 0 <= places["Form factors"] < imgui.get_frame_height()
+
+
+def test_an_answer_below_what_is_seen_is_scrolled_to(hands, tmp_path, monkeypatch):
+    file = tmp_path / "long.py"
+    prose = 60 * "#\n# A paragraph of a long step, which takes its room.\n"
+    code = "from playground.lesson import predict\n"
+    code += 'predict("Up?", "yes", "no", answer="no", why="Down.")'
+    file.write_text(f"# %% [markdown]\n# # Long\n{prose}\n# %%\n{code}\n", encoding="utf-8")
+    hands.window.state = open_lesson(hands.state, file)
+    until(hands, lambda: hands.state.lesson.page is not None)
+    places, radio = [], imgui.radio_button
+
+    def noted(name, chosen):
+        if name == "##choose":
+            places.append(imgui.get_cursor_screen_pos().y - imgui.get_window_pos().y)
+        return radio(name, chosen)
+
+    monkeypatch.setattr(imgui, "radio_button", noted)
+    hands.frames(2)
+    assert min(places) > hands.window.wnd.height  # the end of the page is not in sight
+    hands.window.state = answer(hands.state, 0, 0)
+    hands.frames(12)
+    places.clear()
+    hands.frames(1)
+    assert len(places) == 2 and 0 < min(places) < max(places) < hands.window.wnd.height
+    hands.window.state = replace(hands.state, lesson=None)
+    hands.frames(2)

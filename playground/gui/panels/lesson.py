@@ -29,6 +29,7 @@ from playground.lesson.script import opening
 
 WIDTH = 430.0  # pixels, at text size 1
 WIDEST = 0.4  # of the window
+SETTLED = 4  # frames after which ImGui knows how far it can scroll, and where to
 Rgb = tuple[float, float, float]
 RIGHT: dict[str, Rgb] = {"dark": (0.52, 0.85, 0.56), "light": (0.05, 0.42, 0.14)}
 
@@ -183,6 +184,7 @@ def _question(
 ) -> State:
     """The choices to press; when one is, which is right, and why."""
     imgui.spacing()
+    top = imgui.get_cursor_pos_y()
     lesson_text.draw(_after("Predict. ", item.question), pictures)
     given = course.choice(number)
     for i, choice in enumerate(item.choices):
@@ -207,7 +209,19 @@ def _question(
     if given is not None:
         word = "" if given == SKIPPED else "Right. " if given == item.answer else "Not so. "
         lesson_text.draw(_after(word, item.why), pictures)
+    _keep_in_sight(f"answer {number}", top, given is not None)
     return state
+
+
+def _keep_in_sight(name: str, top: float, answered: bool) -> None:
+    """Scroll to a question whose answer has just come, if it has come below what is seen."""
+    frames, key = imgui.get_state_storage(), imgui.get_id(name)
+    if not answered:
+        frames.set_int(key, SETTLED)
+    elif frames.get_int(key, 0) > 0:
+        frames.set_int(key, frames.get_int(key, 0) - 1)
+        if imgui.get_cursor_pos_y() - imgui.get_scroll_y() > imgui.get_window_height():
+            imgui.set_scroll_from_pos_y(top - imgui.get_scroll_y(), 0.02)
 
 
 def _colour(state: State, choice: int, given: int | None, item: Question) -> Rgb | None:
