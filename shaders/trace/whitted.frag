@@ -9,7 +9,9 @@ flat in vec3 ray_column;
 flat in vec3 ray_row;
 
 layout(location = 0) out vec4 colour_out;
+#if LOST
 layout(location = 1) out vec4 left_out;     // the weight of rays that were not shot
+#endif
 
 void main() {
     vec2 pixel = gl_FragCoord.xy - 0.5;
@@ -25,13 +27,16 @@ void main() {
     vec3 colour = light_along(origin, unit_moderate(direction), limit, covered, lost);
 #if ACCUMULATE
     colour_out = sample_share * vec4(colour, covered);
-    left_out = sample_share * vec4(vec3(lost), 1.0);
 #else
 #if DISPLAY
     colour_out = present(colour);
 #else
     colour_out = vec4(colour, covered);
 #endif
+#endif
+#if LOST && ACCUMULATE
+    left_out = sample_share * vec4(vec3(lost), 1.0);
+#elif LOST
     left_out = vec4(vec3(lost), 1.0);
 #endif
 }

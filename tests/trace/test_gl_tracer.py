@@ -76,6 +76,22 @@ def test_every_setup_of_the_library(gl, name):
     assert abs(drawn.left_out.mean - expected.left_out.mean) <= 0.03 * expected.left_out.mean
 
 
+@pytest.mark.parametrize("dtype", [np.uint8, np.float32])
+@pytest.mark.parametrize("name", ["whitted-room", "glass-of-water", "teapot"])
+def test_what_is_left_out_of_a_picture_in_an_array_is_told_when_asked(gl, name, dtype):
+    """Its weights are not kept: they are traced again, and the picture stays as it is."""
+    setup = pg.load(name).with_(samples=1, depth=2)
+    first, again = (np.empty((*SIZE[::-1], 4), dtype) for _ in range(2))
+    with GLTracer(SIZE) as tracer:
+        expected = tracer.render(setup)
+        tracer.render(setup, out=first)
+        np.testing.assert_array_equal(tracer.left_out.weights, expected.left_out.weights)
+        tracer.render(setup, out=again)
+        np.testing.assert_array_equal(again, first)
+        if dtype == np.float32:
+            np.testing.assert_array_equal(first[..., :3], expected.pixels)
+
+
 @pytest.mark.parametrize(
     "change",
     [

@@ -25,9 +25,17 @@ LIGHTS = ("directional", "point", "spot", "area")
 
 
 def symbols_of(
-    scene: TracedScene, layout: Layout, trees: Trees | None, display: bool, accumulate: bool
+    scene: TracedScene,
+    layout: Layout,
+    trees: Trees | None,
+    display: bool,
+    accumulate: bool,
+    lost: bool = True,
 ) -> Symbols:
-    """The preprocessor symbols; equal ones make equal programs."""
+    """The preprocessor symbols; equal ones make equal programs.
+
+    ``lost`` says that the weights of rays that are not shot are asked for.
+    """
     return {
         **(trees.texels.defines if trees is not None else {}),
         **_solids(scene, layout),
@@ -36,6 +44,7 @@ def symbols_of(
         **_recursion(scene, layout),
         **display_symbols(scene.settings, display and not accumulate),
         "ACCUMULATE": int(accumulate),
+        "LOST": int(lost),
         "CLIPPED": int(bool(scene.setup.camera.near or scene.setup.camera.far)),
     }
 

@@ -19,7 +19,8 @@ class Sums:
 
     ``dtype`` is ``"f1"`` for 8-bit codes, of which only one sample can be taken, or ``"f4"``.
     Row 0 is on top, as in all targets. Weights that are the same in red, green and blue are kept
-    once (`keep_lost`): writing four of them takes a tenth of the time of a picture on llvmpipe.
+    once, and none where nobody asks (`keep_lost`): writing four of them takes a tenth of the time
+    of a picture on llvmpipe, one of them a twentieth.
     """
 
     def __init__(self, context: moderngl.Context, size: tuple[int, int], dtype: str) -> None:
@@ -35,16 +36,20 @@ class Sums:
             raise _too_large(size, "what fits into the memory of the driver") from error
 
     def _lose_into(self, numbers: int) -> None:
-        self.lost = self._context.texture(self.size, numbers, dtype="f4")
-        self._framebuffer = self._context.framebuffer([self.colour, self.lost])
+        both = [self.colour]
+        self.lost: moderngl.Texture | None = None
+        if numbers:
+            self.lost = self._context.texture(self.size, numbers, dtype="f4")
+            both.append(self.lost)
+        self._framebuffer = self._context.framebuffer(both)
 
-    def keep_lost(self, grey: bool) -> None:
-        """Make room for weights of one number or of three; what was kept in other room is gone."""
-        numbers = 1 if grey else 4
-        if self.lost.components != numbers:
+    def keep_lost(self, numbers: int) -> None:
+        """Make room for weights of 0, 1 or 4 numbers; what was kept in other room is gone."""
+        if (self.lost.components if self.lost else 0) != numbers:
             rest(self._context)
             self._framebuffer.release()
-            self.lost.release()
+            if self.lost:
+                self.lost.release()
             self._lose_into(numbers)
 
     def begin(self) -> None:
@@ -65,7 +70,8 @@ class Sums:
         self._framebuffer.read_into(out, components=4, alignment=1, dtype=self.dtype)
 
     def read_lost(self) -> NDArray[np.float32]:
-        """The weights of the rays that were not shot, (H, W, 3)."""
+        """The weights of the rays that were not shot, (H, W, 3); they must have been kept."""
+        assert self.lost is not None
         numbers = self.lost.components
         out = np.empty((self.size[1], self.size[0], numbers), dtype=np.float32)
         self._framebuffer.read_into(out, components=numbers, attachment=1, alignment=1, dtype="f4")
@@ -76,7 +82,8 @@ class Sums:
         rest(self._context)
         self._framebuffer.release()
         self.colour.release()
-        self.lost.release()
+        if self.lost:
+            self.lost.release()
 
 
 def _too_large(size: tuple[int, int], allowed: str) -> PlaygroundError:

@@ -49,16 +49,26 @@ class GLTracer:
         self._standing = Standing()
         self._programs: dict[Key, TraceProgram] = {}
         self._baked: tuple[Placed | None, Key, TraceProgram | None] = (None, (), None)
-        self._asked: tuple[Placed, bool, bool, Symbols] | None = None
+        self._asked: tuple[Placed, bool, bool, bool, Symbols] | None = None
         self._shows: dict[Key, Program] = {}
         self._textures = Textures(self._context)
         self._sums: dict[str, Sums] = {}
         self._traced: tuple[Placed, Sums] | None = None
+        self._unasked: tuple[Setup, bool] | None = None
 
     @property
     def left_out(self) -> LeftOut | None:
-        """What the cut-offs left out of the last picture; None before the first."""
-        return LeftOut(self._traced[1].read_lost()) if self._traced else None
+        """What the cut-offs left out of the last picture; None before the first.
+
+        A picture that went into an array is traced once more for it.
+        """
+        if self._traced is None:
+            return None
+        sums = self._traced[1]
+        if self._unasked is not None:
+            setup, codes = self._unasked
+            self._sample(setup, sums, (0.5, 0.5), codes, 1)
+        return LeftOut(sums.read_lost())
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -76,7 +86,7 @@ class GLTracer:
             )
         if out is None:
             pixels = np.empty((self.size[1], self.size[0], 4), dtype=np.float32)
-            self._trace_and_read(setup, pixels)
+            self._trace_and_read(setup, pixels, lost=True)
             colour = np.ascontiguousarray(pixels[..., :3])
             return Image(
                 colour,
@@ -99,11 +109,11 @@ class GLTracer:
         """As many samples per pixel as ``setup`` asks for."""
         return setup.settings.samples
 
-    def _trace_and_read(self, setup: Setup, out: NDArray[Any]) -> None:
+    def _trace_and_read(self, setup: Setup, out: NDArray[Any], lost: bool = False) -> None:
         codes = out.dtype == np.uint8
         if setup.settings.samples == 1:
             sums = self._sums_of("f1" if codes else "f4")
-            self._sample(setup, sums, (0.5, 0.5), codes, 1)
+            self._sample(setup, sums, (0.5, 0.5), codes, 1, lost=lost)
             sums.read(out)
             return
         for _ in self.steps(setup):
@@ -154,10 +164,12 @@ class GLTracer:
         samples: int,
         first: bool = True,
         again: bool = False,
+        lost: bool = True,
     ) -> None:
         """Trace one sample of every pixel; of several, add it to the earlier ones.
 
-        ``again`` says that it goes on with the sample of which it traced other rows.
+        ``again`` says that it goes on with the sample of which it traced other rows, ``lost``
+        that the weights of rays that are not shot are kept.
         """
         import moderngl
 
@@ -165,13 +177,13 @@ class GLTracer:
         placed = placed or self._standing.place(setup, self.size)
         self._textures.check(placed)
         view = self._standing.view(setup.camera, self.size)
-        symbols = self._symbols(placed, display, samples > 1)
+        symbols = self._symbols(placed, display, samples > 1, lost)
         program = self._program(placed, symbols)
         program.write(camera_values(view, placed.view, setup.camera, self.size, offset))
         program.write({"sample_share": 1.0 / samples})
         program.write({"around_eye": np.array([placed.media_around(setup)], dtype=np.uint32)})
         self._textures.bind(placed, program)
-        sums.keep_lost(bool(symbols["GREY"]))
+        sums.keep_lost((1 if symbols["GREY"] else 4) if lost else 0)
         if first:
             sums.begin()
         else:
@@ -182,20 +194,19 @@ class GLTracer:
             self._context.blend_func = moderngl.ONE, moderngl.ONE
         program.draw()
         self._context.disable(self._everything())
-        self._traced = placed, sums
+        self._traced, self._unasked = (placed, sums), None if lost else (setup, display)
 
     def _everything(self) -> int:
         import moderngl
 
         return moderngl.BLEND | moderngl.DEPTH_TEST | moderngl.CULL_FACE
 
-    def _symbols(self, placed: Placed, display: bool, accumulate: bool) -> Symbols:
+    def _symbols(self, placed: Placed, display: bool, accumulate: bool, lost: bool) -> Symbols:
         """What the program for a scene is made of; a scene that stays is asked once."""
-        asked = placed, display, accumulate
-        if self._asked is None or self._asked[:3] != asked:
-            made = symbols_of(placed.scene, placed.layout, placed.trees, display, accumulate)
-            self._asked = *asked, made
-        return self._asked[3]
+        asked = placed, display, accumulate, lost
+        if self._asked is None or self._asked[:4] != asked:
+            self._asked = *asked, symbols_of(placed.scene, placed.layout, placed.trees, *asked[1:])
+        return self._asked[4]
 
     def _program(self, placed: Placed, symbols: Symbols) -> TraceProgram:
         """The program for a scene, its numbers uploaded or, once they stay, built in."""
