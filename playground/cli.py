@@ -166,7 +166,7 @@ def _add_measure(subparsers: Subparsers) -> None:
         help="all if none; an unknown one is answered with the list",
     )
     measure.add_argument("-o", "--output", type=Path, help="folder for the report")
-    measure.add_argument("--rounds", type=int, help="interleaved rounds: 9, or 4 if quick")
+    measure.add_argument("--rounds", type=int, help="interleaved rounds: 9, or 3 if quick")
     measure.add_argument("--quick", action="store_true", help="a first look in under a minute")
     measure.add_argument("--fresh", action="store_true", help="forget what the folder holds")
     measure.add_argument("--json", action="store_true", help="one JSON document, nothing else")

@@ -18,7 +18,7 @@ from playground.measure.machine import load, machine, stamp
 from playground.measure.record import Candidate, Experiment
 from playground.measure.rows import Row, rows_of
 
-ROUNDS, QUICK_ROUNDS = 9, 4
+ROUNDS, QUICK_ROUNDS = 9, 3
 
 
 @dataclass
