@@ -3,7 +3,6 @@
 import shutil
 from dataclasses import replace
 from pathlib import Path
-from time import monotonic, sleep
 
 import numpy as np
 import pytest
@@ -19,7 +18,6 @@ from playground.lesson.run import Running
 from playground.lesson.script import read_lesson
 from playground.scene.library import load
 
-PATIENCE = 300.0  # seconds that a step may take on a busy machine
 TEXT = """# %% [markdown]
 # # A lesson
 #
@@ -71,19 +69,9 @@ def course(hands, tmp_path):
     file.write_text(TEXT.replace("\\\\", "\\"), encoding="utf-8")
     hands.load("teapot")
     hands.window.state = open_lesson(hands.state, file)
-    until(hands, lambda: hands.state.lesson.page is not None)
+    hands.until(lambda: hands.state.lesson.page is not None)
     yield file
     hands.window.state = replace(hands.state, lesson=None)
-    hands.frames(2)
-
-
-def until(hands, done):
-    """Draw frames until something is there."""
-    end = monotonic() + PATIENCE
-    while not done():
-        assert monotonic() < end, (hands.state.message, hands.state.lesson)
-        hands.frames(1)
-        sleep(0.005)
     hands.frames(2)
 
 
@@ -96,7 +84,7 @@ def test_keys_lead_through_the_steps_and_set_the_scene(hands, course):
     hands.key("page_up")
     assert hands.state.message == "this is the first step" and hands.state.lesson.step == 0
     hands.key("page_down")
-    until(hands, lambda: hands.state.lesson.page is not None)
+    hands.until(lambda: hands.state.lesson.page is not None)
     assert hands.state.lesson.step == 1
     assert hands.state.setup == load("sphere")  # the question hides what comes after it
     hands.key("page_down")  # on without an answer
@@ -105,7 +93,7 @@ def test_keys_lead_through_the_steps_and_set_the_scene(hands, course):
     assert (hands.state.method, hands.state.other) == ("ray-tracing", "per-vertex")
     assert hands.state.layout == "side by side"
     hands.key("page_down")
-    until(hands, lambda: hands.state.lesson.page is not None)
+    hands.until(lambda: hands.state.lesson.page is not None)
     assert (hands.state.method, hands.state.layout) == ("raster", "single")
     assert shininess(hands) == 10
     hands.key("page_down")
@@ -127,7 +115,7 @@ def test_a_step_is_a_step_of_undo(hands, course):
 
 def test_an_answer_is_given_by_the_mouse_and_opens_the_rest(hands, course):
     hands.key("page_down")
-    until(hands, lambda: hands.state.lesson.page is not None)
+    hands.until(lambda: hands.state.lesson.page is not None)
     kinds = [type(item).__name__ for item in hands.state.lesson.seen()]
     assert kinds == ["Text", "Question"]
     press(hands, "question 0 choice 0/##choose", "step 1")
@@ -142,7 +130,7 @@ def test_an_answer_is_given_by_the_mouse_and_opens_the_rest(hands, course):
 def press(hands, label, child):
     """Press what stands still: a formula that arrives moves all below it."""
     pictures = hands.window.slots.lesson
-    until(hands, lambda: pictures.wanted() is None and not hands.window.lesson.coming)
+    hands.until(lambda: pictures.wanted() is None and not hands.window.lesson.coming)
 
     def script(c):
         tests = hands.imgui.test_engine
@@ -155,7 +143,7 @@ def press(hands, label, child):
 
 def at_goal(hands):
     hands.window.state = replace(hands.state, lesson=replace(hands.state.lesson, step=2))
-    until(hands, lambda: hands.state.lesson.page is not None)
+    hands.until(lambda: hands.state.lesson.page is not None)
 
 
 def test_a_goal_is_seen_to_be_reached_by_the_student(hands, course):
@@ -163,7 +151,7 @@ def test_a_goal_is_seen_to_be_reached_by_the_student(hands, course):
     hands.frames(5)
     assert not hands.state.lesson.reached
     hands.window.state = hands.state.with_setup(hands.state.setup.with_(shininess=60))
-    until(hands, lambda: (2, 0) in hands.state.lesson.reached)
+    hands.until(lambda: (2, 0) in hands.state.lesson.reached)
     assert hands.state.message == "goal reached" and shininess(hands) == 60
 
 
@@ -175,7 +163,7 @@ def test_hint_solution_and_start_are_a_click_away(hands, course):
     assert shininess(hands) == 10
     press(hands, "goal 0/Show me", "step 2")
     assert shininess(hands) == 80
-    until(hands, lambda: (2, 0) in hands.state.lesson.reached)
+    hands.until(lambda: (2, 0) in hands.state.lesson.reached)
     press(hands, "goal 0/From the start", "step 2")
     hands.frames(2)
     assert shininess(hands) == 10
@@ -197,7 +185,7 @@ def test_the_last_step_leads_to_the_next_lesson(hands, course):
 
 def test_formulas_and_figures_are_drawn(hands, course):
     pictures = hands.window.slots.lesson
-    until(hands, lambda: pictures.wanted() is None and not hands.window.lesson.coming)
+    hands.until(lambda: pictures.wanted() is None and not hands.window.lesson.coming)
     before = lesson_pixels(hands)
     letters = pictures.formula(r"\frac{a}{b}", max(k.size for k in pictures._formulas))
     assert letters is not None and letters.height > 15
@@ -206,7 +194,7 @@ def test_formulas_and_figures_are_drawn(hands, course):
     hands.frames(2)
     assert np.abs(lesson_pixels(hands) - before).max() > 100
     pictures.wanted = kept
-    until(hands, lambda: pictures.wanted() is None and not hands.window.lesson.coming)
+    hands.until(lambda: pictures.wanted() is None and not hands.window.lesson.coming)
     assert np.array_equal(lesson_pixels(hands), before)
 
 
@@ -219,7 +207,7 @@ def test_a_formula_behind_a_question_is_there_before_the_answer(hands, course):
         ran.append(len(hands.state.lesson.pages))
         return any(key.formula == "c^2" for key in formulas)
 
-    until(hands, arrived)
+    hands.until(arrived)
     assert hands.state.lesson.step == 1 and hands.state.lesson.open_question == 0
     assert ran[-1] == 2  # the next step runs after it
 
@@ -244,7 +232,7 @@ def test_a_saved_change_is_read_at_once_and_the_step_stays(hands, course):
     at_goal(hands)
     course.write_text(course.read_text().replace("shininess=10", "shininess=11"))
     hands.window.lesson._looked = 0.0
-    until(hands, lambda: shininess(hands) == 11)
+    hands.until(lambda: shininess(hands) == 11)
     assert hands.state.lesson.step == 2
 
 
@@ -261,21 +249,21 @@ def test_a_bad_lesson_is_told_and_the_window_lives(hands, course, old, new, word
     good = course.read_text()
     course.write_text(good.replace(old, new))
     hands.window.lesson._looked = 0.0
-    until(hands, lambda: hands.state.lesson.error)
+    hands.until(lambda: hands.state.lesson.error)
     assert words in hands.state.lesson.error
     hands.frames(3)
     hands.key("v")
     assert hands.state.setup.settings.shading == "per-vertex"
     course.write_text(good)
     hands.window.lesson._looked = 0.0
-    until(hands, lambda: hands.state.lesson.page is not None)
+    hands.until(lambda: hands.state.lesson.page is not None)
     assert hands.state.lesson.error == ""
 
 
 def test_a_cell_without_an_end_freezes_nothing(hands, course):
     course.write_text(TEXT.replace("ball = pg", "while True: pass\nball = pg"))
     hands.window.lesson._looked = 0.0
-    until(hands, lambda: hands.state.lesson.page is None)
+    hands.until(lambda: hands.state.lesson.page is None)
     process = hands.window.lesson._process._process
     hands.frames(10)
     assert hands.state.lesson.page is None and process.poll() is None
@@ -296,7 +284,7 @@ def test_the_menu_lists_the_lessons_and_opens_them(hands):
 
 def test_every_control_of_the_lesson_is_known(hands, course):
     hands.key("page_down")
-    until(hands, lambda: hands.state.lesson.page is not None)
+    hands.until(lambda: hands.state.lesson.page is not None)
     found = {}
 
     def script(c):

@@ -19,16 +19,6 @@ from playground.scene.library import load
 PATIENCE = 300.0  # seconds that a step may take on a busy machine
 
 
-def until(hands, done):
-    """Draw frames until something is there."""
-    end = monotonic() + PATIENCE
-    while not done():
-        assert monotonic() < end, (hands.state.message, hands.state.lesson)
-        hands.frames(1)
-        sleep(0.005)
-    hands.frames(2)
-
-
 def test_a_pixel_is_the_same_point_in_a_view_of_any_shape(hands, tmp_path):
     """A lesson names it in the picture of the handout, 480 × 360."""
     file = tmp_path / "pixel.py"
@@ -38,7 +28,7 @@ def test_a_pixel_is_the_same_point_in_a_view_of_any_shape(hands, tmp_path):
     shown += "show(ball, pixel=(180.5 / 480, 150.5 / 360))\n"
     file.write_text(f"# %% [markdown]\n# # A pixel\n\n# %%\n{shown}", encoding="utf-8")
     hands.window.state = open_lesson(hands.state, file)
-    until(hands, lambda: hands.state.pixel is not None)
+    hands.until(lambda: hands.state.pixel is not None)
     width, height = hands.window.view_box()[2:]
     x, y = hands.state.pixel
     ball = load("sphere")
@@ -102,7 +92,7 @@ def test_an_answer_below_what_is_seen_is_scrolled_to(hands, tmp_path, monkeypatc
     code += 'predict("Up?", "yes", "no", answer="no", why="Down.")'
     file.write_text(f"# %% [markdown]\n# # Long\n{prose}\n# %%\n{code}\n", encoding="utf-8")
     hands.window.state = open_lesson(hands.state, file)
-    until(hands, lambda: hands.state.lesson.page is not None)
+    hands.until(lambda: hands.state.lesson.page is not None)
     places, radio = [], imgui.radio_button
 
     def noted(name, chosen):

@@ -2,8 +2,8 @@
 
 Twin in spirit: `playground.render.radiosity.factor.hemicube`. All five faces of a number of
 hemicubes are instances of one draw; the vertex stage moves each to its place in one tall picture,
-distances keep it there. Then the delta form factors are added up, by NumPy from the picture of
-patch numbers, or by the GPU.
+and clip distances keep it there. Then the delta form factors are added up, by NumPy from the
+picture of patch numbers, or by the GPU.
 """
 
 from __future__ import annotations
