@@ -37,7 +37,7 @@ void add_area_light(vec3 position, vec3 normal, vec3 to_eye, vec3 corners[AREA_C
 #endif
 #if SPECULAR
     vec3 axis = reflection(normal, to_eye);
-    float exponent = shininess, share = 0.318309886;
+    float exponent = shininess, share = 0.3183098861837907;
 #if BLINN
     for (int k = 0; k < AREA_CORNERS; ++k)
         corners[k] = position + stretched(corners[k] - position, normal, axis);

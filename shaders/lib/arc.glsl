@@ -36,9 +36,10 @@ float turn_arc(vec3 a, vec3 b, vec3 axis) {
 // 1 − e^y for y <= 0: near 0 by its series, in which nothing cancels.
 float one_less_exp(float y) {
     float series = -y * (1.0 + y * (0.5 + y * (0.166666667 + y * (0.0416666667 + y * (0.00833333333 + y * 0.00138888889)))));
-    return y > -0.5 ? series : 1.0 - exp2(1.44269504089 * y);
+    return y > -0.5 ? series : 1.0 - exp2(1.4426950408889634 * y);
 }
 
+const float NEGLIGIBLE = 17.0;     // e^-17 = 4e-8: no more of the lobe counts in float32
 const float AWAY = 0.5;            // 1 − h² below which a great circle stays away from the axis: 45°
 
 // The slope of the integral below at x: (1 − c^power) dφ/dx, or c^power dφ/dx of a circle away.
@@ -47,21 +48,38 @@ float lobe_slope(float x, float h, float squared, float w, float power) {
     deep *= deep;
     float far = 4.0 * w * w * x * x;
     float near = h * h * deep + far, whole = deep + far;
-    float y = 0.346573590280 * power * log2_near_one(squared * deep / whole, min(near / whole, 1.0));
-    float value = squared < AWAY ? exp2(1.44269504089 * y) : one_less_exp(y);
+    float y = 0.34657359027997264 * power * log2_near_one(squared * deep / whole, min(near / whole, 1.0));
+    float value = squared < AWAY ? exp2(1.4426950408889634 * y) : one_less_exp(y);
     return value * (w * w * deep + far) / (max(near, 1e-37) * (1.0 + x * x));
 }
 
-// Ten points of Gauss, of which half is given: they lie symmetrically.
-const float ARC_NODES[5] = float[5](0.148874338982, 0.433395394129, 0.679409568299, 0.865063366689, 0.973906528517);
-const float ARC_WEIGHTS[5] = float[5](0.295524224715, 0.269266719310, 0.219086362516, 0.149451349151, 0.0666713443087);
+// Ten points of Gauss, of which half is given, place and weight: they lie symmetrically.
+const int ARC_POINTS = 5;
+const vec2 ARC_GAUSS[5] = vec2[5](vec2(0.148874338982, 0.295524224715), vec2(0.433395394129, 0.269266719310),
+    vec2(0.679409568299, 0.219086362516), vec2(0.865063366689, 0.149451349151), vec2(0.973906528517, 0.0666713443087));
+
+vec2 arc_point(int i, float power) {
+    return ARC_GAUSS[i];
+}
+
+// ∫ of lobe_slope from one x to another.
+float lobe_gauss(float start, float end, float h, float squared, float w, float power) {
+    float middle = 0.5 * (start + end), half_width = 0.5 * (end - start), sum = 0.0;
+    int count = end > start ? ARC_POINTS : 0;
+    for (int i = 0; i < count; ++i) {
+        vec2 point = arc_point(i, power);
+        float away = half_width * point.x;
+        sum += point.y * (lobe_slope(middle - away, h, squared, w, power) + lobe_slope(middle + away, h, squared, w, power));
+    }
+    return half_width * sum;
+}
 
 // ∫ (1 − c^power) dφ along the arc, c > 0 the cosine to the axis, φ the angle around it.
 //
 // The arc's great circle, of normal m, comes within h = axis·m of the axis, and with τ = tan of
 // the arc from there, c² = (1 − h²)/(1 + τ²) and dφ = h/(h² + τ²) dτ. With τ = 2wx/(1 − x²), w the
 // width of the peak, the integrand is smooth in x. Gauss's points take the part where
-// c^power counts in float32, above e^-17; the rest is an angle. A circle away from the axis may run
+// c^power counts; the rest is an angle. A circle away from the axis may run
 // along its equator, where τ has few digits: there the whole angle counts less ∫ c^power dφ, and
 // w = h makes x = tan(φ/2).
 float lobe_arc(vec3 a, vec3 b, vec3 axis, float power) {
@@ -71,7 +89,7 @@ float lobe_arc(vec3 a, vec3 b, vec3 axis, float power) {
     float h = dot(m, axis);
     vec3 ahead = cross(m, axis);
     float q = dot(ahead, ahead);
-    float reach = q * exp(min(34.0 / power, 80.0)) - 1.0;
+    float reach = q * exp(min(2.0 * NEGLIGIBLE / power, 80.0)) - 1.0;
     bool round = squared <= 0.0 || reach <= 0.0 || q <= 0.0;
 
     // The ends as x, cut to where the lobe counts, and the angles beyond.
@@ -93,12 +111,6 @@ float lobe_arc(vec3 a, vec3 b, vec3 axis, float power) {
         float y = 2.0 * w * end, z = (1.0 - end) * (1.0 + end);
         total += angle_of(h * (yb * z - y * zb), h * h * z * zb + y * yb);
     }
-    float middle = 0.5 * (start + end), half_width = 0.5 * (end - start), sum = 0.0;
-    int count = end > start && !round ? 5 : 0;
-    for (int i = 0; i < count; ++i) {
-        float away = half_width * ARC_NODES[i];
-        sum += ARC_WEIGHTS[i] * (lobe_slope(middle - away, h, q, w, power) + lobe_slope(middle + away, h, q, w, power));
-    }
-    float inside = 2.0 * h / w * half_width * sum;
+    float inside = 2.0 * h / w * lobe_gauss(start, round ? start : end, h, q, w, power);
     return round || q < AWAY ? turn_arc(a, b, axis) - inside : total + inside;
 }

@@ -38,7 +38,7 @@ float form_factor(vec3 position, vec3 normal, vec3 corners[AREA_CORNERS], bool t
         cut_edge(a, b, normal, cut, anchor, join_a, join_b);
         total -= lambert_arc(a, b, normal) + turn_arc(join_a, join_b, normal);
     }
-    return shown(0.159154943 * total, two_sided);
+    return shown(0.15915494309189535 * total, two_sided);
 }
 
 // The lobe over a polygon that looks small and lies wholly before it.
@@ -66,7 +66,7 @@ float lobe_edge(vec3 a, vec3 b, vec3 axis, float power, inout bool cut, inout ve
     return lobe_arc(a, b, axis, power) + turn_arc(join_a, join_b, axis);
 }
 
-// Whether a cone about the axis, beyond which the lobe is below e^-17 = 4e-8, misses the ball
+// Whether a cone about the axis, beyond which the lobe is below e^-NEGLIGIBLE, misses the ball
 // around the polygon: then there is nothing to integrate.
 bool lobe_misses(vec3 position, vec3 axis, vec3 corners[AREA_CORNERS], float exponent) {
     vec3 middle = vec3(0.0);
@@ -75,7 +75,7 @@ bool lobe_misses(vec3 position, vec3 axis, vec3 corners[AREA_CORNERS], float exp
     for (int k = 0; k < AREA_CORNERS; ++k)
         reach = max(reach, dot(corners[k] - middle, corners[k] - middle));
     middle -= position;
-    float away = dot(middle, middle), cosine = exp(-17.0 / max(exponent, 0.2));
+    float away = dot(middle, middle), cosine = exp(-NEGLIGIBLE / max(exponent, 0.2));
     float sine = sqrt((1.0 - cosine) * (1.0 + cosine));
     // cos(lobe + ball) = cos cos − sin sin, all times the distance.
     return away > reach && dot(axis, middle) < cosine * sqrt(away - reach) - sine * sqrt(reach);

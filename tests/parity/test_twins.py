@@ -52,6 +52,8 @@ GLSL_ALONE = {
         "angle_of": "NumPy has arctan2",
         "one_less_exp": "NumPy has expm1",
         "lobe_slope": "a part of lobe_arc",
+        "lobe_gauss": "a part of lobe_arc",
+        "arc_point": "a part of lobe_arc",
     },
     "polygon": {
         "sighted": "NumPy takes all corners at once",

@@ -93,7 +93,7 @@ def test_a_driver_without_float64_is_told():
         check_precision(old, Needs("flat", precision="float64"))
 
 
-def test_area_lights_in_float64_are_refused():
-    new = SimpleNamespace(version_code=450)
-    with pytest.raises(PlaygroundError, match=r"area lights have no float64.*--renderer numpy"):
-        check_precision(new, Needs("flat", area_lights=1, precision="float64"))
+def test_only_area_lights_bring_what_they_take():
+    for lights in (0, 1):
+        wanted = Needs("flat", area_lights=lights, diffuse=True, precision="float64")
+        assert ("own_angle_of" in sources_for(wanted)[0].text) == bool(lights)

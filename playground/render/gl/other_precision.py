@@ -20,11 +20,16 @@ import numpy as np
 from playground.render.gl.glsl import Token, Walk, tokens, written
 from playground.render.gl.source import Source
 
-LIBRARIES = {"float16": "precision/half.glsl", "float64": "precision/double.glsl"}
 SHARED = "precision/formulas.glsl"
+LIBRARIES = {
+    "float16": ("precision/half.glsl", SHARED),
+    "float64": ("precision/double.glsl", SHARED),
+}
+OF_AREA_LIGHTS = {"float64": ("precision/double_area.glsl",)}  # float16 rounds their results
 DOUBLE_VERSION = "#version 410 core"  # 4.0 has double, 4.1 also in the attributes of vertices
-# Files that are no shading, or made for float32. The results of area lights are rounded; for
-# lib/power.glsl those of `STANDING_IN` are called.
+AREA_LIGHTS = {"lib/area_light.glsl", "lib/arc.glsl", "lib/polygon.glsl"}
+# Files that are no shading, or made for float32: for lib/power.glsl those of `STANDING_IN` are
+# called.
 NATIVE = {
     "(defines)",
     "present.glsl",
@@ -34,11 +39,8 @@ NATIVE = {
     "lib/marks.glsl",
     "lib/texture.glsl",
     "lib/power.glsl",
-    "lib/area_light.glsl",
-    "lib/arc.glsl",
-    "lib/polygon.glsl",
-    *LIBRARIES.values(),
 }
+OWN = {"precision/half.glsl", "precision/double.glsl", "precision/double_area.glsl"}
 STANDING_IN = {
     "lib/power.glsl": ("power", "power_below_one", "lobe"),
     "lib/vector.glsl": ("unit", "unit_moderate"),
@@ -54,6 +56,7 @@ DOUBLE_TYPES = {"float": "double"} | {
     kind: f"d{kind}" for kind in ("vec2", "vec3", "vec4", "mat2", "mat3", "mat4", "mat4x3")
 }
 DEFINED = re.compile(r"^(\w+)\s+(\w+)\([^;]*?\)\s*\{", re.MULTILINE)
+_CONSTANT = re.compile(r"^const \w+ (own_\w+)", re.MULTILINE)
 _OUTPUT = re.compile(r"^(?:\w+\s+)?out\s+(\w+)\s+(\w+);", re.MULTILINE)
 _INPUT = re.compile(r"^(?:\w+\s+)?in\s+vec3\s+(\w+);", re.MULTILINE)
 
@@ -69,6 +72,7 @@ class _Rewriting(Walk):
         super().__init__(words, source.where)
         self.stand_ins = stand_ins
         self.own = {name for _, name in DEFINED.findall(own_text)}
+        self.constants = set(_CONSTANT.findall(own_text))
         self.outputs = {name: kind for kind, name in _OUTPUT.findall(source.text)}
         self.inputs = set(_INPUT.findall(source.text))
         self.name = source.name
@@ -84,6 +88,8 @@ class _Rewriting(Walk):
     def leaf(self, word: Token) -> None:
         if word.text in self.inputs and self.function == "main" and self.entering:
             word.enclose(word, f"{self.entering}(")
+        elif f"own_{word.text}" in self.constants and not self.constant:
+            word.new = f"own_{word.text}"
 
 
 class _Half(_Rewriting):
@@ -136,6 +142,11 @@ class _Double(_Rewriting):
             word.new = word.text.rstrip("fF") + "lf"
 
 
+def libraries(precision: str, area_lights: bool) -> tuple[str, ...]:
+    """The files of ``shaders/precision`` that go before a stage, with area lights or without."""
+    return LIBRARIES[precision] + (OF_AREA_LIGHTS.get(precision, ()) if area_lights else ())
+
+
 def _is_real(number: str) -> bool:
     return not number.startswith("0x") and bool(set(number) & set(".eE"))
 
@@ -163,7 +174,11 @@ def in_precision(source: Source, precision: str, overrides: Mapping[str, str]) -
         edited shaders have such.
     """
     everything = tokens(source.text)
-    native = NATIVE - set(overrides)
+    files = {file for file, _ in source.origin}
+    native = NATIVE | OWN
+    if not files.intersection(OF_AREA_LIGHTS.get(precision, ())):
+        native = native | AREA_LIGHTS
+    native = native - set(overrides)
     words = [
         token
         for token in everything
@@ -173,7 +188,7 @@ def in_precision(source: Source, precision: str, overrides: Mapping[str, str]) -
         name for file, names in STANDING_IN.items() if file not in overrides for name in names
     }
     lines = zip(source.text.splitlines(), source.origin, strict=False)
-    others = native - set(LIBRARIES.values())
+    others = native - OWN
     own = "\n".join(line for line, (file, _) in lines if file not in others)
     if precision == "float16":
         _Half(source, words, stand_ins, own).walk()

@@ -163,9 +163,9 @@ def _run(
 def _source(library: str, defines: dict[str, int], main: str, precision: str) -> Source:
     if precision == "native":
         return assemble(f"lib/{library}.glsl", defines, tail=main)
-    from playground.render.gl.other_precision import LIBRARIES, SHARED, in_precision
+    from playground.render.gl.other_precision import in_precision, libraries
 
-    first = (LIBRARIES[precision], SHARED)
+    first = libraries(precision, area_lights=True)
     source = assemble(f"lib/{library}.glsl", defines, tail=main, first=first)
     return in_precision(source, precision, {})
 

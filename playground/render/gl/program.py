@@ -87,7 +87,7 @@ class Program:
 
 
 def check_precision(context: moderngl.Context, needs: Needs) -> None:
-    """Raise an error if the driver, or a light's shader, does not compute in this precision."""
+    """Raise an error if the driver does not compute in this precision."""
     if needs.precision != "float64":
         return
     if context.version_code < 410:
@@ -95,12 +95,6 @@ def check_precision(context: moderngl.Context, needs: Needs) -> None:
             "this driver has no float64 arithmetic",
             got=f"OpenGL {context.version_code / 100:.1f}",
             allowed="OpenGL 4.1 or newer",
-            fix="Use --renderer numpy, or precision float32.",
-        )
-    if needs.area_lights:
-        raise PlaygroundError(
-            "area lights have no float64 on the GPU",
-            got=f"{needs.area_lights} of them",
             fix="Use --renderer numpy, or precision float32.",
         )
 
@@ -165,16 +159,16 @@ def sources_for(
 def _in_precision(
     needs: Needs, defines: dict[str, object], overrides: Mapping[str, str]
 ) -> tuple[Source, Source]:
-    from playground.render.gl.other_precision import LIBRARIES, SHARED, in_precision
+    from playground.render.gl.other_precision import in_precision, libraries
 
     defines["BRIGHTEST"] = BRIGHTEST_IN[needs.precision]
-    libraries = (LIBRARIES[needs.precision], SHARED)
+    first = libraries(needs.precision, needs.area_lights > 0)
     made = []
     for stage in stages(needs):
         if stage == "phong.vert":  # hands positions and normals on, and shades nothing
             made.append(assemble(stage, defines, bugs=needs.bugs, overrides=overrides))
             continue
-        source = assemble(stage, defines, "", needs.bugs, overrides, libraries)
+        source = assemble(stage, defines, "", needs.bugs, overrides, first)
         made.append(in_precision(source, needs.precision, overrides))
     return made[0], made[1]
 
