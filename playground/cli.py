@@ -133,6 +133,7 @@ def _add_compare(subparsers: Subparsers) -> None:
     compare.add_argument("-o", "--output", type=Path, help="the difference in false colours")
     compare.add_argument("--json", action="store_true", help="one JSON document, nothing else")
     compare.add_argument("--method", default="raster", help=f"of setups: {METHODS}")
+    compare.add_argument("--mistakes", action="store_true", help="what mistakes B was made with")
     compare.add_argument(
         "--tolerance", type=_tolerance, help="status 1 if the largest difference exceeds"
     )

@@ -6,18 +6,18 @@ exit status, and imports only what its command needs.
 
 from __future__ import annotations
 
-import sys
 from argparse import Namespace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from playground.errors import PlaygroundError
+from playground.options import DEFAULT_SIZE, hint, picture_of, print_json, say, setup_of
 
 if TYPE_CHECKING:
+    from playground.measure.mistakes import Likely
     from playground.render.image import Image
     from playground.scene.setup import Setup
 
-DEFAULT_SIZE = (640, 480)
 PANEL_SIZE = (400, 300)  # of each picture of a sheet
 SHEET_TOLERANCE = 1e-3  # a quarter of an 8-bit step: the sum of the terms must be this good
 SHEET_SETS = {  # the options that a sheet decides itself
@@ -31,22 +31,6 @@ SHEET_SETS = {  # the options that a sheet decides itself
 }
 
 
-def _setup(options: Namespace, name: str | None = None) -> Setup:
-    """The setup that the options describe."""
-    from playground.scene.assign import assign, parse_light
-    from playground.scene.library import load
-
-    setup = load(options.setup if name is None else name)
-    if options.light:
-        setup = setup.with_(lights=tuple(parse_light(text) for text in options.light))
-    for key in ("shading", "terms", "shininess", "precision", "marks", "depth", "samples"):
-        if getattr(options, key, None) is not None:
-            setup = assign(setup, f"{key}={getattr(options, key)}")
-    for assignment in options.set:
-        setup = assign(setup, assignment)
-    return setup
-
-
 def window(options: Namespace) -> int:
     """Open the window; without a display, make a picture of the same view."""
     from playground.gui import open_window
@@ -57,7 +41,7 @@ def window(options: Namespace) -> int:
         return open_lesson(options.lesson)
     said = (options.setup, options.light, options.shading, options.terms, options.shininess)
     again = not any((*said, options.precision, options.marks, options.set))
-    return open_window(_setup(options, options.setup or "teapot"), again)
+    return open_window(setup_of(options, options.setup or "teapot"), again)
 
 
 def render(options: Namespace) -> int:
@@ -74,23 +58,23 @@ def render(options: Namespace) -> int:
         if not raster and options.sheet in ("terms", "shininess", "shading"):
             raise PlaygroundError("this sheet is drawn by --method raster", got=options.method)
         return _sheet(options, suffix)
-    setup = _setup(options)
+    setup = setup_of(options)
     if raster and suffix == ".png" and not setup.settings.marks:
         renderer = _save_png(options, setup)
     else:
-        image = _picture(options, setup)
+        image = picture_of(options, setup)
         image.save(options.output)
         renderer = image.renderer
         if setup.settings.marks:
             counts = image.marks()
-            _say("pixels: " + ", ".join(f"{counts[kind]} {kind}" for kind in setup.settings.marks))
+            say("pixels: " + ", ".join(f"{counts[kind]} {kind}" for kind in setup.settings.marks))
         for said in (*image.warnings, image.left_out, *image.notes.values()):
             if said is not None:
-                _say(str(said))
+                say(str(said))
     width, height = options.size or DEFAULT_SIZE
-    _say(f"{options.output}  {width}x{height}  {renderer}")
+    say(f"{options.output}  {width}x{height}  {renderer}")
     if raster:
-        _hint(options.renderer, renderer)
+        hint(options.renderer, renderer)
     return 0
 
 
@@ -104,7 +88,7 @@ def _sheet(options: Namespace, suffix: str) -> int:
 
     if suffix != ".png":
         raise PlaygroundError("a sheet is saved as .png", got=str(options.output))
-    setup = _setup(options)
+    setup = setup_of(options)
     size, form = options.size or PANEL_SIZE, "{l_bar}{bar}"
     with tqdm(total=1.0, desc=options.sheet, leave=False, disable=None, bar_format=form) as bar:
         sheet = make_sheet(
@@ -115,13 +99,13 @@ def _sheet(options: Namespace, suffix: str) -> int:
 
     renderer = "gl" if options.renderer != "numpy" and available() else "numpy"
     height, width = sheet.codes.shape[:2]
-    _say(f"{options.output}  {width}x{height}  {renderer}  {sheet.message}")
-    _hint(options.renderer, renderer)
+    say(f"{options.output}  {width}x{height}  {renderer}  {sheet.message}")
+    hint(options.renderer, renderer)
     for key in SHEET_SETS[options.sheet]:
         if getattr(options, key) is not None:
-            _say(f"--{key} has no effect: the {options.sheet} sheet sets the {key} itself")
+            say(f"--{key} has no effect: the {options.sheet} sheet sets the {key} itself")
     if sheet.error is not None and sheet.error > SHEET_TOLERANCE:
-        _say(f"the check failed: the sum is off by {sheet.error:.2g}, more than {SHEET_TOLERANCE}")
+        say(f"the check failed: the sum is off by {sheet.error:.2g}, more than {SHEET_TOLERANCE}")
         return 1
     return 0
 
@@ -141,38 +125,8 @@ def _save_png(options: Namespace, setup: Setup) -> str:
         write_whole(options.output, png_bytes(codes[..., :3], setup, folder=folder))
         if (taken := renderer.samples(setup)) != setup.settings.samples:
             asked = setup.settings.samples
-            _say(
-                f"this driver takes {taken} samples per pixel, not {asked}; NumPy takes any number"
-            )
+            say(f"this driver takes {taken} samples per pixel, not {asked}; NumPy takes any number")
         return renderer.name
-
-
-def _picture(options: Namespace, setup: Setup) -> Image:
-    from playground.render.renderer import STORED, render
-
-    size, method = options.size or DEFAULT_SIZE, getattr(options, "method", "raster")
-    if method in STORED:
-        return _stored_picture(setup, size, options.renderer, method)
-    return render(setup, size, options.renderer, method)
-
-
-def _stored_picture(setup: Setup, size: tuple[int, int], renderer: str, method: str) -> Image:
-    """A picture of light computed before; on a terminal a bar shows how far that has come."""
-    from tqdm import tqdm
-
-    from playground.render.image import Image
-    from playground.render.renderer import open_renderer
-    from playground.render.stored_renderer import StoredDrawing
-
-    with open_renderer(size, renderer, method=method) as opened:
-        assert isinstance(opened, StoredDrawing)
-        bar = tqdm(total=1.0, desc=method, leave=False, disable=None, bar_format="{l_bar}{bar}")
-        with bar:
-            for share in opened.prepare(setup):
-                bar.update(share - bar.n)
-        image = opened.render(setup)
-    assert isinstance(image, Image)
-    return image
 
 
 def compare(options: Namespace) -> int:
@@ -183,26 +137,59 @@ def compare(options: Namespace) -> int:
     if options.output is not None:
         check_suffix(options.output)
     names = (options.a, options.b)
-    images = [_picture_or_setup(options, name) for name in names]
+    images = _pictures(options, names)
     result = compare(*images)
+    likely = _likely_mistakes(options, images) if options.mistakes else None
     drawn = [image.renderer for image in images if image.renderer != "file"]
     for name, image in zip(names, images, strict=True):
         if image.renderer != "file":
-            _say(f"{name}  {image.size[0]}x{image.size[1]}  {image.renderer}")
+            say(f"{name}  {image.size[0]}x{image.size[1]}  {image.renderer}")
     if drawn:
-        _hint(options.renderer, drawn[0])
+        hint(options.renderer, drawn[0])
     if options.output is not None:
         result.heatmap().save(options.output)
-    print(result.to_json() if options.json else result)
+    if options.json:
+        told = {} if likely is None else {"mistakes": likely.to_dict()}
+        print_json({**result.to_dict(), **told})
+    else:
+        print(result if likely is None else f"{result}\n{likely}")
     return int(options.tolerance is not None and result.max > options.tolerance)
 
 
-def _picture_or_setup(options: Namespace, name: str) -> Image:
+def _pictures(options: Namespace, names: tuple[str, str]) -> list[Image]:
+    """Files and setups as pictures: a setup is drawn as large as the file it is compared with."""
     from playground.render.image_file import SUFFIXES, read_image
 
-    if Path(name).suffix.lower() in SUFFIXES:
-        return read_image(Path(name))
-    return _picture(options, _setup(options, name))
+    files = [Path(name).suffix.lower() in SUFFIXES for name in names]
+    setups = [None if f else setup_of(options, n) for f, n in zip(files, names, strict=True)]
+    like = setups[0] or setups[1]
+    images = {n: read_image(Path(n), like) for f, n in zip(files, names, strict=True) if f}
+    for image in images.values():
+        options.size = options.size or image.size
+    return [
+        images[name] if setup is None else picture_of(options, setup)
+        for name, setup in zip(names, setups, strict=True)
+    ]
+
+
+def _likely_mistakes(options: Namespace, images: list[Image]) -> Likely:
+    from tqdm import tqdm
+
+    from playground.measure.mistakes import likely_mistakes
+
+    files = [image for image in images if image.renderer == "file"]
+    setup = next((image.setup for image in images if image.renderer != "file"), None)
+    if len(files) != 1 or setup is None or options.method != "raster":
+        raise PlaygroundError(
+            "--mistakes compares one picture with one setup, drawn by the rasteriser",
+            got=f"{options.a} and {options.b}, --method {options.method}",
+            fix="playground compare SETUP mine.png --mistakes",
+        )
+    form = "{l_bar}{bar}"
+    with tqdm(total=1.0, desc="mistakes", leave=False, disable=None, bar_format=form) as bar:
+        return likely_mistakes(
+            files[0], setup, options.renderer, lambda share: bar.update(share - bar.n)
+        )
 
 
 def explain(options: Namespace) -> int:
@@ -210,9 +197,9 @@ def explain(options: Namespace) -> int:
     from playground.explain.method import explain
 
     size, to = options.size or DEFAULT_SIZE, options.to and tuple(options.to)
-    why = explain(_setup(options), tuple(options.pixel), size, options.method, to)
+    why = explain(setup_of(options), tuple(options.pixel), size, options.method, to)
     if options.json:
-        _print_json(why.to_dict())
+        print_json(why.to_dict())
     else:
         print(why.latex() if options.latex else why.text())
     return 0
@@ -237,7 +224,7 @@ def needs(options: Namespace) -> int:
     from playground.measure.needs_command import run_needs
 
     return run_needs(
-        _setup(options),
+        setup_of(options),
         options.output,
         options.json,
         budget=options.budget,
@@ -259,7 +246,9 @@ def bake(options: Namespace) -> int:
     """Write a setup with a lightmap beside it."""
     from playground.render.lightmap.command import run_bake
 
-    return run_bake(_setup(options), options.output, options.texels, options.rays, options.renderer)
+    return run_bake(
+        setup_of(options), options.output, options.texels, options.rays, options.renderer
+    )
 
 
 def lesson(options: Namespace) -> int:
@@ -275,25 +264,7 @@ def doctor(options: Namespace) -> int:
 
     findings = examine()
     if options.json:
-        _print_json(findings)
+        print_json(findings)
     else:
         print(report(findings))
     return 0
-
-
-def _print_json(value: Any) -> None:
-    import json
-
-    print(json.dumps(value))
-
-
-def _say(text: str) -> None:
-    print(text, file=sys.stderr)
-
-
-def _hint(asked: str, took: str) -> None:
-    """Where NumPy stepped in for a missing driver, say how to get one."""
-    if asked == "auto" and took == "numpy":
-        from playground.render.gl.context import INSTALL_DRIVER
-
-        _say(f"no GL driver was found, so NumPy drew it; for speed: {INSTALL_DRIVER}")

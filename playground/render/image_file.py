@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from playground.errors import PlaygroundError, unknown_name
 from playground.files import read_bytes, write_whole
+from playground.render.shown import light_shown
 from playground.scene.setup_picture import SETUP_KEY, picture_flaw, setup_inside, setup_text
 
 if TYPE_CHECKING:
@@ -68,10 +69,13 @@ def png_bytes(
     return buffer.getvalue()
 
 
-def read_image(path: Path) -> Image:
-    """The picture in a file: PNG codes count as linear values, without undoing any curve.
+def read_image(path: Path, like: Setup | None = None) -> Image:
+    """The picture in a file, as linear light.
 
-    A setup inside a PNG that cannot be understood does not count: the pixels are sound.
+    Exposure and curve of a PNG are undone, as far as they are known: from the setup inside it,
+    else from ``like``, the setup of a picture that it is compared with. Without either its codes
+    count as linear values. A setup inside that cannot be understood does not count: the pixels
+    are sound.
 
     Raises
     ------
@@ -101,6 +105,9 @@ def read_image(path: Path) -> Image:
     if suffix == ".png":
         with suppress(PlaygroundError):
             setup = setup_inside(data, path.parent)
+    setup = setup or like
+    if suffix == ".png" and setup is not None:
+        pixels = light_shown(pixels, setup.settings)
     return Image(_as_pixels(pixels, path), setup=setup, renderer="file")
 
 

@@ -1,12 +1,13 @@
-"""What a screen shows of linear colours: the display's steps, and marks over them."""
+"""What a screen shows of linear colours: the display's steps, marks over them, and the way back."""
 
 from __future__ import annotations
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from playground.render.precision import smallest_normal
 from playground.scene.settings import Settings
-from playground.shading.display import display_colour
+from playground.shading.display import display_colour, srgb_decode
 from playground.shading.floats import Array
 from playground.shading.marks import KINDS, marked
 
@@ -23,3 +24,10 @@ def shown_colour(colour: ArrayLike, settings: Settings) -> Array:
     if not s.marks:
         return shown
     return marked(shown, colour, s.exposure, smallest_normal(s), wanted_marks(s))
+
+
+def light_shown(shown: ArrayLike, settings: Settings) -> Array:
+    """The linear light (..., 3) that is shown as ``shown``, in [0, 1]; what was cut stays cut."""
+    shown = np.asarray(shown, dtype=np.float64)
+    light = srgb_decode(shown) if settings.curve == "srgb" else shown
+    return light / (settings.exposure or 1.0)

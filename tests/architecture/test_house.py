@@ -25,7 +25,8 @@ ROOMS = {
     "lesson": {"", "scene", "shading", "render", "explain", "measure"},
     "gui": {"", "scene", "shading", "render", "explain", "measure", "lesson"},
 }
-TOP = {"__init__", "__main__", "cli", "commands", "doctor"}  # these may import from anywhere
+# These may import from anywhere.
+TOP = {"__init__", "__main__", "cli", "commands", "options", "doctor"}
 
 
 def room(path):

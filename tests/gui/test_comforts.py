@@ -16,12 +16,13 @@ from playground.scene.material import Material
 
 def parsed(command):
     """The setup that the command line makes of a command."""
-    from playground import cli, commands
+    from playground import cli
+    from playground.options import setup_of
 
     words = shlex.split(command)
     assert words[:2] == ["playground", "render"]
     options = cli._parser().parse_args(words[1:])
-    return commands._setup(options)
+    return setup_of(options)
 
 
 @pytest.mark.parametrize("name", library())

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from PIL import Image as Pillow
 
 import playground as pg
 from playground.render.image_file import read_image
@@ -247,3 +248,25 @@ def test_looking_along_up_still_has_a_side(up):
     rotation = view_rotation(pg.Camera(eye=(0, 5, 0), target=(0, 0, 0), up=up))
     np.testing.assert_allclose(rotation @ rotation.T, np.eye(3), atol=1e-15)
     assert np.linalg.det(rotation) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("changes", [{"curve": "srgb"}, {"exposure": 2.5}, {"clamp": False}])
+def test_a_png_is_read_as_the_light_that_it_shows(tmp_path, changes):
+    """Its codes come out again; light that was not cut is off by half a code at most."""
+    setup = pg.load("sphere").with_(**changes)
+    image = pg.render(setup, SIZE, "numpy")
+    image.save(tmp_path / "a.png")
+    read = read_image(tmp_path / "a.png")
+    assert np.array_equal(read.codes(), image.codes())
+    kept = ((image.pixels * setup.settings.exposure) <= 1.0).all(axis=-1)
+    # The inverse curve is steepest at 1, where a code is 2.28 times as much light as without it.
+    half = 0.5 / 255 * (2.28 if "curve" in changes else 1.0) / setup.settings.exposure
+    assert np.abs(read.pixels - image.pixels)[kept].max() <= 1.01 * half
+
+    # Without the setup inside, the picture that it is compared with tells.
+    bare = image.codes()
+    Pillow.fromarray(bare).save(tmp_path / "bare.png")
+    assert np.array_equal(read_image(tmp_path / "bare.png", like=setup).pixels, read.pixels)
+    assert np.array_equal(
+        read_image(tmp_path / "bare.png").pixels, np.asarray(bare / 255.0, np.float32)
+    )
