@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from tqdm import tqdm
 
 from playground.errors import PlaygroundError, unknown_name
 from playground.measure.cases.case_file import Case, read_cases
@@ -121,7 +123,8 @@ def run_check(path: Path, backend: str, systems: list[str], as_json: bool) -> in
     if backend not in FORMULAS:
         raise unknown_name("backend", backend, FORMULAS)
     cases = read_cases(path, FORMULAS[backend].precision)
-    report = check(_chosen(cases, systems, path), backend)
+    chosen = _chosen(cases, systems, path)
+    report = check(tqdm(chosen, "check", leave=False, disable=None), backend)
     print(json.dumps(report.to_dict()) if as_json else report.text())
     return int(bool(report.failures))
 
@@ -140,7 +143,7 @@ def _chosen(cases: list[Case], systems: list[str], path: Path) -> list[Case]:
     return [case for case in cases if not systems or case.system in systems]
 
 
-def check(cases: list[Case], backend: str) -> Report:
+def check(cases: Iterable[Case], backend: str) -> Report:
     """Judge every case; ``backend`` is a key of `FORMULAS`."""
     if backend == "gl":
         from playground.render.gl.context import headless

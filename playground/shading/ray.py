@@ -22,9 +22,10 @@ def ray_sphere(
 ) -> tuple[Array, Array]:
     """The first t >= 0 on the sphere and the vector from its centre to the hit; (...), (..., 3).
 
-    The discriminant comes from the point of the line nearest to the centre, the roots from
-    q = b ± √D and c / q, and the hit from that nearest point, half a chord along the ray: a
-    sphere far away or grazed keeps its digits. ``centre`` plus the vector is the hit point.
+    For a t² − 2 b t + c = 0 the discriminant D comes from the point of the line nearest to the
+    centre, the roots from q = b ± √D as q / a and c / q, and the hit from that nearest point, half
+    a chord along the ray: a sphere far away or grazed keeps its digits. ``centre`` plus the
+    vector is the hit point.
     Source: Haines, Günther, Akenine-Möller, Precision Improvements for Ray/Sphere
     Intersection, Ray Tracing Gems, 2019, chapter 7.
     """
@@ -32,7 +33,10 @@ def ray_sphere(
     seen = origin - centre
     squared = dot(direction, direction)
     ahead = -dot(seen, direction)
-    nearest = seen + (ahead / squared)[..., None] * direction
+    middle = ahead / squared
+    # From far away rounding moves this point along the ray by many radii: take off what is left.
+    middle = middle - dot(seen + middle[..., None] * direction, direction) / squared
+    nearest = seen + middle[..., None] * direction
     inside = radius * radius - dot(nearest, nearest)
     chord = np.sqrt(np.maximum(inside, 0.0) * squared)
     distance = np.sqrt(dot(seen, seen))
@@ -76,7 +80,7 @@ def ray_tube(origin: ArrayLike, direction: ArrayLike, low: ArrayLike, high: Arra
     """Where (t) the ray meets the side of the cylinder x² + z² = 1, low <= y <= high.
 
     In the plane of x and z this is `ray_sphere` for a circle: discriminant from the nearest
-    point, roots by q and c / q. Caps are discs.
+    point, roots q / a and c / q. Caps are discs.
     """
     origin, direction, low, high = floats(origin, direction, low, high)
     ox, oz, dx, dz = origin[..., 0], origin[..., 2], direction[..., 0], direction[..., 2]
@@ -103,8 +107,8 @@ def ray_box(
 ) -> tuple[Array, Array]:
     """Where the ray enters and leaves the closed box, t >= 0; a miss has entry > exit.
 
-    Along an axis in which the ray does not move it is between the two faces for ever or
-    never, which is decided by comparing, not by dividing 0 by 0: a ray in a face hits.
+    Along an axis in which the ray does not move it is always or never between the two faces;
+    comparing decides that, not dividing 0 by 0: a ray in a face hits.
     Source: Williams, Barrus, Morley, Shirley, An Efficient and Robust Ray–Box Intersection
     Algorithm, 2005.
     """
@@ -122,9 +126,9 @@ def ray_box(
 def offset_ray(point: ArrayLike, normal: ArrayLike, error: ArrayLike) -> Array:
     """The origin of a ray that leaves a surface on the side of ``normal``, shape (..., 3).
 
-    The point is moved along the unit normal by twice ``error``, the bound on how far it lies from
-    the surface, (...); each coordinate is then rounded away from the point, so that the
-    step is never lost. No fixed epsilon: the step follows the size of the numbers.
+    The point is moved along the unit normal by twice ``error`` (...), a bound on how far it lies
+    from the surface; each coordinate is then rounded away from the point, so that the step is
+    never lost. No fixed epsilon: the step follows the size of the numbers.
     Source: Pharr, Jakob, Humphreys, Physically Based Rendering 4, section 6.8.6.
     """
     point, normal, error = floats(point, normal, error)

@@ -8,7 +8,9 @@ float ray_sphere(vec3 origin, vec3 direction, vec3 centre, float radius, out vec
     vec3 seen = origin - centre;
     float squared = dot(direction, direction);
     float ahead = -dot(seen, direction);
-    vec3 nearest = seen + (ahead / squared) * direction;
+    float middle = ahead / squared;
+    middle -= dot(seen + middle * direction, direction) / squared;
+    vec3 nearest = seen + middle * direction;
     float inside = radius * radius - dot(nearest, nearest);
     float chord = sqrt(max(inside, 0.0) * squared);
     float distance = length(seen);
@@ -61,7 +63,7 @@ float ray_tube(vec3 origin, vec3 direction, float low, float high) {
 }
 
 // Where the ray enters (x) and leaves (y) the closed box, t >= 0; a miss has x > y. Along an axis
-// in which the ray does not move, faces are compared, not divided by 0 (Williams et al. 2005).
+// in which the ray does not move, comparing decides, not dividing by 0 (Williams et al. 2005).
 vec2 ray_box(vec3 origin, vec3 direction, vec3 low, vec3 high) {
     const float FAR = 3.4e38;
     bvec3 still = equal(direction, vec3(0.0));

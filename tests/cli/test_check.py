@@ -77,10 +77,22 @@ def test_more_pixels_than_memory_fail_their_case_alone(tmp_path, entries):
     assert "ValueError: 1000000 x 1000000 pixels" in run("check", path).stdout
 
 
+@pytest.mark.parametrize(("name", "count"), [("LMD-O002", "passes"), ("LME-O002", "gutter")])
+def test_passes_without_number_end_when_nothing_is_left_to_fill(tmp_path, entries, name, count):
+    entry = next(entry for entry in entries if entry["id"] == name)
+    many = {**entry, "inputs": {**entry["inputs"], count: 10**15}}
+    assert "1 passed, 0 failed" in ok("check", written(tmp_path, [many])).stdout
+
+
 @pytest.mark.gl
 @pytest.mark.parametrize(
     ("system", "wrong"),
-    [("attenuation", {"kc": []}), ("polygon_form_factor", {"polygon": [1, 2, 3, 4]})],
+    [
+        ("attenuation", {"kc": []}),
+        ("polygon_form_factor", {"polygon": [1, 2, 3, 4]}),
+        ("polygon_form_factor", {"polygon": []}),
+        ("phong_lobe_polygon", {"polygon": []}),
+    ],
 )
 def test_inputs_that_the_gpu_cannot_take_fail_without_a_traceback(
     gl, tmp_path, entries, system, wrong

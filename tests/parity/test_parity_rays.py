@@ -47,6 +47,25 @@ def test_ray_sphere(gl, rng):
     assert_close(got[both, 1:], from_centre[both], (6.0 * bound[:, None] + 8 * U)[both])
 
 
+def test_a_ray_at_the_middle_of_a_ball_far_away_hits(gl, rng):
+    """From 10^8 radii away and aimed at the centre: no rounding of t may lead it past the ball.
+
+    Powers of two as the direction and whole numbers of 24 bits as t: origin + t · direction is
+    0 without rounding, so the vector from the centre is a radius, off by a few roundings. In
+    t = c / q they are 7 of the two factors of c, 4 of q, and 5 of a product and a quotient.
+    """
+    steps = np.array([[1, 2, -2], [1, -4, 8], [0, 1, 1], [2, -1, 2], [1, 1, 1]])
+    direction = f32(rng.permuted(steps[rng.integers(len(steps), size=N)], axis=1))
+    t = 64.0 * rng.integers(2**18, 2**21, (N, 1))
+    origin, centre, radius = f32(-t * direction), np.zeros((N, 3), np.float32), f32(np.ones(N))
+    want = -direction / np.linalg.norm(direction, axis=1, keepdims=True)
+    got = probe.call("ray", "ray_sphere", origin, direction, centre, radius)
+    same = ray.ray_sphere(*map(np.float32, (origin, direction, centre, radius)))
+    for first, from_centre in ((got[:, 0], got[:, 1:]), same):
+        assert_close(first, t[:, 0], 16 * U * t[:, 0])
+        assert_close(from_centre, want, np.full((N, 3), 8 * U))
+
+
 @pytest.mark.parametrize("name", ["ray_plane", "ray_disc"])
 def test_flat_shapes(gl, rng, name):
     origin, direction = shot(rng, 0.8)

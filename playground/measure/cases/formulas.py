@@ -78,6 +78,8 @@ def _on_gpu(library: str, name: str, arguments: tuple[Any, ...]) -> Any:
             full = np.broadcast_to(np.asarray(argument, np.float32), shape + own)
             rows.append(full.reshape(-1, width))
         elif not kind.startswith("sampler"):
+            if not np.size(argument):
+                raise ValueError(f"{library}.{name} takes no such arguments: a list is empty")
             rows.append(np.asarray(argument))
     try:
         result = probe.call(library, name, *rows, texels=texels).reshape(prod(shape), -1)

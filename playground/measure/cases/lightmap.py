@@ -21,8 +21,7 @@ def lightmap_dilate(inputs: Outputs, formulas: Any) -> Outputs:
     values = np.array(inputs["texels"], dtype=np.float64)  # null becomes NaN
     covered = np.isfinite(values)
     texels = _texels(np.where(covered, values, 0.0), covered)
-    for _ in range(int(inputs["passes"])):
-        texels = _pass(formulas, texels)
+    texels = _spread(formulas, texels, inputs["passes"])
     return {"texels": np.where(texels[..., 3] > 0.0, texels[..., 0], EMPTY)}
 
 
@@ -32,9 +31,7 @@ def lightmap_bleed(inputs: Outputs, formulas: Any) -> Outputs:
     place = np.arange(width)
     covered = ((place >= inputs["first"]) & (place <= inputs["last"]))[None]
     texels = _texels(np.where(covered, float(inside), float(background)), covered)
-    spread = texels
-    for _ in range(int(inputs["gutter"])):
-        spread = _pass(formulas, spread)
+    spread = _spread(formulas, texels, inputs["gutter"])
     filled = np.where(spread[..., 3:] > 0.0, spread[..., :3], float(background))
     share = formulas.lightmap.bleed(texels, _texcoord(texels, inputs["u"], 0.5))[0]
     return {
@@ -46,6 +43,15 @@ def lightmap_bleed(inputs: Outputs, formulas: Any) -> Outputs:
 
 def _texels(values: Any, covered: Any) -> Any:
     return np.stack([values, values, values, covered.astype(np.float64)], axis=-1)
+
+
+def _spread(formulas: Any, texels: Any, passes: float) -> Any:
+    """So many passes of dilation; once one changes nothing, no other will."""
+    for _ in range(int(passes)):
+        before, texels = texels, _pass(formulas, texels)
+        if np.array_equal(before, texels, equal_nan=True):
+            break
+    return texels
 
 
 def _pass(formulas: Any, texels: Any) -> Any:
