@@ -76,6 +76,8 @@ class Advice:
 
     ``chosen`` are the findings to drop, in the order in which they were taken; ``proposed``
     is the setup without them, ``errors`` and ``saving`` are measured on it as a whole.
+    ``refuted`` are findings that seemed to save time one by one, but save none together:
+    they are not proposed.
     """
 
     setup: Setup
@@ -88,6 +90,7 @@ class Advice:
     chosen: tuple[Finding, ...] = ()
     errors: Errors = NO_ERRORS
     saving: Saving | None = field(default=None)
+    refuted: tuple[Finding, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
         """Everything but the setups, as JSON takes it; times in milliseconds."""
@@ -150,8 +153,9 @@ class Advice:
         """What to do, in one sentence, with what it costs and what it brings."""
         if not self.findings:
             return f"{self.setup.name} has nothing that could be dropped."
-        error = self.errors.of(self.metric)
-        allowed = f"{self.metric.upper()} {error:.2g}, budget {self.budget:g}"
+        if self.refuted:
+            names = _listed(finding.candidate.name for finding in self.refuted)
+            return f"Dropping {names} saves no time when measured again: nothing is proposed."
         if self.saving is None:
             idle = [f.candidate.name for f in self.findings if f.errors.max == 0.0]
             more = f"; without effect on the picture: {_listed(idle)}" if idle else ""
@@ -162,11 +166,11 @@ class Advice:
             )
         names = _listed(finding.candidate.name for finding in self.chosen)
         saved, full = self.saving.saved, self.saving.full
-        if saved <= 0.0:
-            return f"Dropping {names} saves no time that can be measured ({allowed})."
+        error = self.errors.of(self.metric)
         return (
             f"Dropping {names} saves {saved:.3g} of {full:.3g} ms a picture, "
-            f"{100 * saved / full:.0f} % ({allowed})."
+            f"{100 * saved / full:.0f} % "
+            f"({self.metric.upper()} {error:.2g}, budget {self.budget:g})."
         )
 
 

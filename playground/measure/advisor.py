@@ -127,6 +127,8 @@ def advising(
         saving = yield from retold(
             timing, lambda share: Progress(1 - (1 - share) * LAST / 2, "the proposal", findings)
         )
+        if saving.saved <= 0.0:
+            return replace(advice, refuted=chosen)
         return Advice(
             setup, proposed, size, drawn.name, metric, budget, findings, chosen, errors, saving
         )

@@ -48,10 +48,12 @@ class Candidate:
 def candidates_of(setup: Setup, method: str = "raster") -> tuple[Candidate, ...]:
     """Everything that could be dropped from ``setup``, in the order of `KINDS`.
 
-    Only of kinds that make a difference to pictures by this ``method``.
+    Only what makes a difference to pictures by this ``method``.
     """
     alone = {kind for kinds in ONLY.values() for kind in kinds} - set(ONLY[method])
-    return tuple(c for kind in KINDS if kind not in alone for c in KINDS[kind](setup))
+    unseen = _met_by_formula(setup) if method == "ray-tracing" else set()
+    every = (c for kind in KINDS if kind not in alone for c in KINDS[kind](setup))
+    return tuple(candidate for candidate in every if candidate.part not in unseen)
 
 
 def without(setup: Setup, dropped: Iterable[Candidate]) -> Setup:
@@ -134,7 +136,7 @@ def tessellations(setup: Setup) -> Iterator[Candidate]:
                 coarse = replace(setup.scene.objects[i], tessellation=level)
                 return _with_object(setup, i, coarse)
 
-            part = f"tessellation of {_label(i, item)}"
+            part = _tessellation(i, item)
             yield Candidate("tessellation", part, f"{part}: {now} → {level}", change)
 
 
@@ -202,7 +204,7 @@ KINDS: dict[str, Callable[[Setup], Iterator[Candidate]]] = {
     "samples": samples,
 }
 ONLY = {  # kinds that are for one method only
-    "raster": ("tessellation", "shading"),
+    "raster": ("shading",),
     "ray-tracing": ("bounce", "shadow rays"),
 }
 
@@ -220,6 +222,19 @@ def _averaged(item: Object) -> Object:
     red, green, blue = (float(m * t) for m, t in zip(material.diffuse, mean, strict=True))
     diffuse = (red, green, blue)
     return replace(item, material=replace(material, diffuse=diffuse, texture=""))
+
+
+def _met_by_formula(setup: Setup) -> set[str]:
+    """The tessellations that no ray sees: of shapes that rays meet without triangles."""
+    from playground.render.trace.traced_scene import prepare
+
+    objects = setup.scene.objects
+    exact = (s.object for s in prepare(setup, (1, 1)).solids if s.kind != "mesh")
+    return {_tessellation(i, objects[i]) for i in exact if i is not None}
+
+
+def _tessellation(i: int, item: Object) -> str:
+    return f"tessellation of {_label(i, item)}"
 
 
 def _label(i: int, item: Object) -> str:

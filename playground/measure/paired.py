@@ -23,7 +23,8 @@ from playground.scene.setup import Setup
 
 Cost = Callable[[Setup], float]  # milliseconds that one picture of a setup takes
 
-PAIRS, FEWEST = 15, 8  # at most, and at least: 8 are the fewest that allow `DOUBT`
+# At most: a neighbour who wakes up spoils few of many; at least: the fewest that allow `DOUBT`.
+PAIRS, FEWEST = 51, 8
 PATIENCE = 1000.0  # milliseconds of drawing after which the fewest pairs are enough
 DOUBT = 0.01  # chance that the interval of a saving misses the true median
 

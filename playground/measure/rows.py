@@ -120,7 +120,17 @@ def told_apart(row: Row, base: Row) -> bool:
 
     The two-sided sign test at `CHANCE`: it asks for 6 rounds at least, and for all of them.
     """
-    signs = [np.sign(a - b) for a, b in zip(row.rounds, base.rounds, strict=False)]
+    return on_one_side([a - b for a, b in zip(row.rounds, base.rounds, strict=False)])
+
+
+def enough(row: Row) -> bool:
+    """Whether it has been timed in so many rounds that `told_apart` can ever say yes."""
+    return on_one_side([1.0] * len(row.rounds))
+
+
+def on_one_side(differences: Sequence[float]) -> bool:
+    """Whether so many have one sign that chance is not to be blamed: the test of `told_apart`."""
+    signs = [np.sign(difference) for difference in differences]
     count = sum(sign != 0 for sign in signs)
     fewer = min(signs.count(1), signs.count(-1))
     likely = 2.0 * sum(comb(count, k) for k in range(fewer + 1)) / 2.0**count

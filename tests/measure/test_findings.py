@@ -1,5 +1,7 @@
 """The sentence of an experiment follows from its rows: other rows, another sentence."""
 
+from dataclasses import replace
+
 import pytest
 from synthetic import row
 
@@ -56,6 +58,8 @@ def test_normal_interpolation():
     assert "not told apart" not in dear
     free = finding("normal-interpolation", *pair(0.0, 0.5))
     assert "0.5 times at tessellation 8" in free and "not told apart from nothing" in free
+    few = (replace(each, rounds=each.rounds[:3]) for each in pair(0.2, 3.0))
+    assert "not told apart from nothing" in finding("normal-interpolation", *few)
 
 
 def test_anti_aliasing():
@@ -132,6 +136,11 @@ def test_cost():
     assert "0 of the others in a time not told apart from its own (but black light (+50 %))" in told
     even = finding("cost", *rows[:1], rows[2])
     assert "no feature of a scene with everything has a price" in even.lower()
+    few = finding("cost", *(replace(each, rounds=each.rounds[:3]) for each in rows))
+    assert few == (
+        "3 rounds are too few to tell any price from the noise; "
+        "1 of 2 idle things run the very program of a plain scene."
+    )
 
 
 def test_frames():

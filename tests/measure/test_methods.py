@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from playground.measure import area_samples as light
+from playground.measure.experiments import EXPERIMENTS, find
 from playground.measure.experiments.anti_aliasing import reference_batches
 from playground.measure.experiments.area_light import CASES, SHININESS, _closed, judged, reference
 from playground.measure.experiments.specular_power import EVALUATIONS
@@ -22,6 +23,15 @@ from playground.shading.area_light import form_factor
 from playground.shading.vector import unit
 
 SIDE = 48
+
+
+@pytest.mark.gl
+@pytest.mark.parametrize("quick", [True, False])
+@pytest.mark.parametrize("name", EXPERIMENTS)
+def test_all_candidates_of_a_case_take_turns(name, quick, gl):
+    """What is compared is timed round by round, so that a slower machine slows all of it."""
+    groups = [{candidate.case for candidate in group} for group in find(name).groups(quick)]
+    assert sum(map(len, groups)) == len(set.union(*groups))
 
 
 @pytest.mark.parametrize("shininess", [1, 5, 20, 63, 1000])

@@ -10,7 +10,7 @@ from playground.measure.jackknife import jackknife
 from playground.measure.journal import Journal
 from playground.measure.record import Batch
 from playground.measure.report.text import winner, winners
-from playground.measure.rows import difference, fastest, ratio, rows_of, slope, told_apart
+from playground.measure.rows import difference, enough, fastest, ratio, rows_of, slope, told_apart
 
 
 def test_a_row_holds_the_median_of_all_times_and_of_each_round():
@@ -76,6 +76,7 @@ def test_two_times_are_told_apart_by_the_sign_of_their_differences():
     assert not told_apart(base, base)
     assert told_apart(rounds(*6 * [0.9]), base)  # 2/64 = 0.031
     assert not told_apart(rounds(*5 * [0.9]), base)  # 2/32 = 0.063
+    assert enough(rounds(*6 * [1.0])) and not enough(rounds(*5 * [1.0]))
 
 
 def test_the_slope_of_a_power_law_is_its_exponent():

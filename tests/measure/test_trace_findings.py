@@ -29,7 +29,8 @@ def test_depth():
     ]
     told = finding("depth", *rows)
     assert told.startswith("Room: depth 5 (2 ms) is off by 0.4 %")
-    assert "at depth 5 the threshold takes 0.5 times the time and costs an error of 0.4 %" in told
+    assert "at depth 5 the threshold takes 0.5 times the time" in told
+    assert "and changes the error from 0 % to 0.4 %" in told
     assert finding("depth", rows[0]) == "Room: no depth comes within 1 %."
 
 

@@ -31,16 +31,19 @@ RENDERERS = {"GL": "gl", "NumPy": "numpy"}
 
 
 def groups(quick: bool) -> Iterator[list[Candidate]]:
-    """Each renderer with each number of samples that it takes, in turn."""
+    """Each renderer with each number of samples that it takes, all in turn."""
     size = QUICK_SIZE if quick else SIZE
     setup = sphere(TESSELLATION)
     with open_renderer((8, 8), "gl") as gl:
         most = {n: gl.samples(setup.with_(samples=n)) for n in QUICK_SAMPLES + SAMPLES}
     counts = QUICK_SAMPLES if quick else SAMPLES
     cells = QUICK_CELLS if quick else CELLS
-    for name, renderer in RENDERERS.items():
-        taken = [n for n in counts if renderer == "numpy" or most[n] == n]
-        yield [_candidate(name, n, size, cells) for n in taken]
+    yield [
+        _candidate(name, n, size, cells)
+        for name, renderer in RENDERERS.items()
+        for n in counts
+        if renderer == "numpy" or most[n] == n
+    ]
 
 
 def _candidate(name: str, samples: int, size: tuple[int, int], cells: int) -> Candidate:

@@ -12,7 +12,7 @@ from playground.measure.experiments.sentences import listed, of, sentence, signe
 from playground.measure.experiments.spheres import sphere_mesh
 from playground.measure.pictures import picture, picture_errors
 from playground.measure.record import Candidate, Errors, Experiment
-from playground.measure.rows import Row, ratio, told_apart
+from playground.measure.rows import Row, enough, ratio, told_apart
 from playground.measure.timing import frames_of
 from playground.render.image import Image
 from playground.render.needs import needs
@@ -118,6 +118,8 @@ def _prices(rows: list[Row]) -> str:
     others = [row for row in rows if row.method != BASE[FULL]]
     if not base or not others:
         return ""
+    if not enough(base[0]):
+        return f"{len(base[0].rounds)} rounds are too few to tell any price from the noise"
     clear = [row for row in others if told_apart(row, base[0])]
     dearest = sorted(clear, key=lambda row: -abs(ratio(row, base[0]) - 1.0))[:3]
     words = [f"{signed(ratio(row, base[0]) - 1.0)} ({row.method})" for row in dearest]
@@ -135,6 +137,8 @@ def _idle(rows: list[Row]) -> str:
         return ""
     same = [row for row in idle if row.errors is not None and row.errors.more["same program"]]
     text = f"{len(same)} of {len(idle)} idle things run the very program of {PLAIN}"
+    if not enough(base[0]):
+        return text
     for kind, found in (("of these", same), ("of the others", [r for r in idle if r not in same])):
         clear = [row for row in found if told_apart(row, base[0])]
         changes = [f"{row.method} ({signed(ratio(row, base[0]) - 1.0)})" for row in clear]

@@ -63,10 +63,11 @@ def finding(rows: list[Row]) -> str:
             words += percent(best.error or 0.0)
         most = max(int(row.knobs["depth"]) for row in here)
         whole, cut = of(here, FOLLOWED, depth=most), of(here, CUT, depth=most)
-        if whole and cut and cut[0].error is not None:
+        if whole and cut:
             words += (
                 f"; at depth {most} the threshold takes {times(ratio(cut[0], whole[0]))} the time "
-                f"and costs an error of {percent(cut[0].error)}"
+                f"and changes the error from {percent(whole[0].error or 0.0)} to "
+                f"{percent(cut[0].error or 0.0)}"
             )
         parts.append(words)
     return sentence(*parts)

@@ -25,10 +25,10 @@ REFERENCE = "Lambert's closed form from the centre of a patch"
 
 
 def groups(quick: bool) -> Iterator[list[Candidate]]:
-    """All ways at one resolution, in turn."""
+    """All ways at all resolutions, in turn."""
     parts, count = (QUICK_PARTS, QUICK_ROWS) if quick else (PARTS, ROWS)
-    for resolution in QUICK_RESOLUTIONS if quick else RESOLUTIONS:
-        yield [_candidate(way, resolution, parts, count) for way in WAYS]
+    resolutions = QUICK_RESOLUTIONS if quick else RESOLUTIONS
+    yield [_candidate(way, each, parts, count) for each in resolutions for way in WAYS]
 
 
 def _candidate(way: str, resolution: int, parts: int, count: int) -> Candidate:

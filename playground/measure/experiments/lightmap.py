@@ -42,10 +42,10 @@ BOUND = 0.05
 
 
 def groups(quick: bool) -> Iterator[list[Candidate]]:
-    """All ways to bake at one size in turn; then a frame beside an unlit textured one."""
-    for number, texels in enumerate(QUICK_TEXELS if quick else TEXELS):
-        group = [_baked(way, texels, quick) for way in (QUICK_WAYS if quick else WAYS)]
-        yield [_by_patches(quick), *group] if number == 0 else group
+    """All ways to bake at all sizes in turn; then a frame beside an unlit textured one."""
+    sizes, ways = (QUICK_TEXELS, QUICK_WAYS) if quick else (TEXELS, tuple(WAYS))
+    baked = [_baked(way, texels, quick) for texels in sizes for way in ways]
+    yield [_by_patches(quick), *baked]
     yield [_frame(FLOOR, quick), _frame(LIGHTMAP, quick)]
 
 

@@ -16,7 +16,7 @@ from playground.measure.experiments.spheres import (
 )
 from playground.measure.pictures import picture, picture_errors
 from playground.measure.record import Candidate, Errors, Experiment
-from playground.measure.rows import Row
+from playground.measure.rows import Row, on_one_side
 from playground.measure.timing import frames_of
 
 METHODS = {"renormalised": (), "not renormalised": ("normal-not-renormalised",)}
@@ -55,7 +55,7 @@ def finding(rows: list[Row]) -> str:
     if not losses:
         return sentence()
     low, middle, high = np.percentile(prices, [10, 50, 90])
-    told = "" if low > 0.0 or high < 0.0 else ", which is not told apart from nothing"
+    told = "" if on_one_side(prices) else ", which is not told apart from nothing"
     return sentence(
         f"without making the normal unit length again the error is {', '.join(losses)} as large",
         f"making it so changes the time by {signed(middle)} "

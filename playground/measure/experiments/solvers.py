@@ -30,15 +30,15 @@ REFERENCE = "elimination in float64"
 
 
 def groups(quick: bool) -> Iterator[list[Candidate]]:
-    """Every solver at one reflectance and one share of light left, in turn."""
+    """Every solver with every share of light left, at one reflectance, in turn."""
     patches = QUICK_PATCHES if quick else PATCHES
     for rho in QUICK_REFLECTANCES if quick else REFLECTANCES:
-        for left in QUICK_LEFT if quick else LEFT:
-            yield [
-                _candidate(solver, rho, left, patches)
-                for solver in SOLVERS
-                if solver != "direct" or left == JUDGED
-            ]
+        yield [
+            _candidate(solver, rho, left, patches)
+            for left in (QUICK_LEFT if quick else LEFT)
+            for solver in SOLVERS
+            if solver != "direct" or left == JUDGED
+        ]
 
 
 def _candidate(solver: str, rho: float, left: float, patches: int) -> Candidate:
