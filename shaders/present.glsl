@@ -1,6 +1,5 @@
-// The last step of every fragment shader: the colour as the target wants it. A float
-// target keeps linear light; an 8-bit target gets the steps of the display, of which
-// the clamp is the target's own.
+// The last step of every fragment shader: the colour as the target wants it. A float target
+// keeps linear light; an 8-bit target gets the steps of the display (the clamp it makes itself).
 #include "interface/display.glsl"
 #if DISPLAY && (CURVE || WRAP)
 #include "lib/display.glsl"

@@ -28,8 +28,8 @@ void add_light(vec3 normal, vec3 to_light, vec3 to_eye, float strength,
 }
 
 #if AREA_LIGHTS > 0
-// The same for an area light: the form factor instead of max(n·l, 0), and the lobe's
-// integral over π, around the view vector mirrored about the normal, instead of max(r·v, 0)^sh.
+// The same for an area light: the form factor instead of max(n·l, 0); instead of max(r·v, 0)^sh the
+// integral of the lobe around the mirrored view vector, divided by π.
 void add_area_light(vec3 position, vec3 normal, vec3 to_eye, vec3 corners[AREA_CORNERS], bool two_sided,
                     vec3 diffuse_product, vec3 specular_product, inout vec3 diffuse, inout vec3 rest) {
 #if DIFFUSE

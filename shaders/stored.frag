@@ -1,5 +1,5 @@
-// Stored light, fragment stage: what arrives was computed before, and is multiplied by the
-// diffuse colour. Added to it are the emissive term and, where there is one, the specular term.
+// Stored light, fragment stage: the light that arrives was computed before; here it is multiplied
+// by the diffuse colour. Added to it are the emissive term and, where there is one, the specular term.
 #include "lib/phong.glsl"
 #include "present.glsl"
 #include "interface/stored.glsl"
@@ -26,7 +26,7 @@ out vec4 colour;
 
 void main() {
 #if LIGHTMAP
-    // The texture unit's own filter: two fifths faster than writing it out. Where its weights have
+    // The texture unit's own filter: two fifths faster than writing it out. With weights of
     // 8 bits it is off by up to 1/256 of the contrast between neighbours.
     vec3 arriving = vec3(texture(lightmap_texels, lightmap_texcoord));
 #else

@@ -42,12 +42,13 @@ def turn_arc(a: ArrayLike, b: ArrayLike, axis: ArrayLike) -> Array:
 def lobe_arc(a: ArrayLike, b: ArrayLike, axis: ArrayLike, power: float) -> Array:
     """∫ (1 − c^power) dφ along the arc from a to b, c > 0 the cosine to the axis, φ around it.
 
-    The arc's great circle, of normal m, comes within h = sin(angle) = axis·m of the axis, and with
-    τ = tan of the arc from there, c² = (1 − h²)/(1 + τ²) and dφ = h/(h² + τ²) dτ. With
-    τ = 2wx/(1 − x²), w the width of the peak, the integrand is smooth in x; Gauss's points take
-    the part where c^power counts, and the rest is an angle. A circle that stays away from the
-    axis may run along its equator, where τ has few digits: there the whole angle counts, which the
-    ends give, less the integral of c^power, which is small; w = h makes x = tan(φ/2).
+    The arc's great circle has the normal m and passes the axis at an angle of sine h = axis·m.
+    With τ the tangent of the way along the circle from there, c² = (1 − h²)/(1 + τ²) and
+    dφ = h/(h² + τ²) dτ. In x, τ = 2wx/(1 − x²) with w the width of the peak, the integrand is
+    smooth. Gauss's points take the part where c^power counts; beyond, 1 − c^power is 1, and the
+    integral an angle. A circle far from the axis may run along its equator, where τ has few
+    digits: there the result is the whole angle, known from the ends, less the small integral of
+    c^power; w = h makes x = tan(φ/2).
     """
     a, b, axis = (np.asarray(x, np.float64) for x in (a, b, axis))
     m = cross(a, b - a)

@@ -39,9 +39,10 @@ from playground.shading.polygon import (
 )
 from playground.shading.vector import Array, dot
 
-TINY = 0.003  # extent over distance below which the sum over the edges loses 1e-13
-TINY_LOBE = 0.01  # the same in widths of the lobe, 1/√(exponent + 1)
-STEEP = 0.02  # the same over the cosine to the axis: near its equator small powers are steep
+# Below all three limits of its extent over its distance, a polygon gets the quadrature.
+TINY = 0.003  # below it the sum over the edges loses 1e-13
+TINY_LOBE = 0.01  # in widths of the lobe, 1/√(exponent + 1)
+STEEP = 0.02  # in cosines to the axis: near its equator small powers are steep
 
 
 def form_factor(
@@ -75,7 +76,8 @@ def lobe_integral(
     """∫ max(axis·ω, 0)^exponent dω over the directions to the polygon: 0 to 2π/(exponent + 1).
 
     As in the Phong model, neither the cosine at the surface nor its horizon plays a part; for
-    the latter see `lobe_integral_above`. Any exponent from 0. Error at most 2e-15 + 1e-11 of it.
+    the latter see `lobe_integral_above`. Any exponent from 0. Error at most 2e-15 plus 1e-11
+    of the result.
     """
     edges = seen_edges(position, corners)
     whole = np.ones(edges[0].shape[:-2], dtype=bool)
@@ -102,7 +104,7 @@ def lobe_integral_above(
 def _lobe(
     edges: Edges, corners: Array, whole: Array, axis: ArrayLike, exponent: float, two_sided: bool
 ) -> Array:
-    """The lobe over the polygon that ``edges`` bound; where ``whole``, its ``corners`` do."""
+    """The lobe over the polygon with these ``edges``; where it is ``whole``, with ``corners``."""
     axis = np.asarray(axis, np.float64)[..., None, :]
     power = float(exponent) + 1.0
     ahead, joins = cut_edges(edges, axis)

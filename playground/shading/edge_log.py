@@ -16,8 +16,8 @@ from playground.shading.vector import Array, cross, dot
 def mean_log(offset: ArrayLike, v: ArrayLike) -> Array:
     """∫ ln |offset − t v| dt, t from 0 to 1: the mean over an edge seen from its side; (...).
 
-    With f where the foot of the perpendicular lies, d its length, and r the distances to the ends:
-    ½ ((1 − f) ln r₁² + f ln r₀²) + d/|v| · (angle under which the edge appears).
+    With f the place of the foot of the perpendicular, d its length, and r₀, r₁ the distances to the
+    start and the end: ½ ((1 − f) ln r₁² + f ln r₀²) + d/|v| · (angle under which the edge appears).
     """
     offset, v = np.asarray(offset, np.float64), np.asarray(v, np.float64)
     whole = dot(v, v)
@@ -31,7 +31,7 @@ def mean_log(offset: ArrayLike, v: ArrayLike) -> Array:
 
 
 def _log(squared: Array) -> Array:
-    """The logarithm of r²; at r = 0, where it is multiplied by 0, a number."""
+    """The logarithm of r²; finite at r = 0, where it is multiplied by 0."""
     return np.asarray(np.log(np.maximum(squared, 1e-300)))
 
 

@@ -28,8 +28,8 @@ def edge_logs(offset: ArrayLike, u: ArrayLike, v: ArrayLike) -> Array:
     """u·v ∫∫ ln r ds dt for pairs of edges of lengths near 1, (M, 3) -> (M,).
 
     In closed form where they are parallel, else `mean_log` along the second and Gauss's points
-    along the first, crowded where the other comes near. Error about 1e-11 |u| |v|, down to 1e-15
-    where no end of one is nearer to the other than a tenth of its length. 0 if at a right angle.
+    along the first, crowded where the other comes near; 0 at a right angle. Error about
+    1e-11 |u| |v|, down to 1e-15 where each end keeps a tenth of a length from the other edge.
     """
     offset, u, v = (np.asarray(x, np.float64) for x in (offset, u, v))
     along = dot(u, v)
@@ -54,7 +54,7 @@ def _skew_logs(offset: Array, u: Array, v: Array, across: Array, sine_squared: A
     cuts[:, -1] = 1.0
     cuts.sort(axis=1)
 
-    # Halves of what lies between the cuts, each from its cut to the middle.
+    # Each stretch between two cuts in halves, from its cuts to its middle.
     half = 0.5 * np.diff(cuts, axis=1)
     ends = np.stack([cuts[:, :-1], cuts[:, 1:]], axis=-1)
     lengths = np.stack([half, -half], axis=-1)
@@ -84,7 +84,7 @@ def _near_places(
     """Where along the first edge `mean_log` bends, (M, 3), and how far off its line, (M, 3).
 
     At the feet of both ends of the second edge and where the lines come closest; both in
-    lengths of u. The bend is the sharper, the nearer it is.
+    lengths of u. The nearer, the sharper the bend.
     """
     whole = dot(u, u)
     places, distances = [], []

@@ -1,8 +1,8 @@
 """Radiosity that has a closed form: furnaces, facing plates, spheres, ducts.
 
 Twin: shaders/lib/enclosure.glsl. What solvers are held against. Light in the unit of colours; ρ
-is a reflectance, E what a surface emits, C what leaves it, H what arrives. A difference 1 − ρ
-is formed of ρ itself, never of a product: near ρ = 1 all digits are in it.
+is a reflectance, E what a surface emits, C what leaves it, H what arrives. 1 − ρ is formed
+with ρ itself, never with a product: near ρ = 1 all digits are in that difference.
 """
 
 from __future__ import annotations

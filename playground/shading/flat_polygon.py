@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from playground.shading.vector import Array, cross, dot
 
-ON_PLANE = 4.0 * 2.0**-53  # heights of so much of the distance are rounding: on the plane
+ON_PLANE = 4.0 * 2.0**-53  # a height of this share of the distance is rounding: on the plane
 
 
 def polygon_area(corners: ArrayLike) -> Array:
@@ -28,7 +28,7 @@ def area_vector(corners: ArrayLike) -> Array:
 
 
 def heights(corners: Array, plane: Array) -> Array:
-    """Heights of corners (M, K, 3) over the planes of polygons (M, L, 3), rounding taken for 0."""
+    """Heights (M, K) of corners (M, K, 3) over planes of polygons (M, L, 3); rounding gives 0."""
     normal = area_vector(plane)[:, None]
     length = np.sqrt(dot(normal, normal))
     away = corners - plane[:, :1]
@@ -69,7 +69,7 @@ def ball_around(corners: Array) -> tuple[Array, Array]:
 def quad_points(corners: Array, normal: Array, points: int) -> tuple[Array, Array]:
     """Gauss's points on quads (M, 4, 3), (M, points², 3), and the areas they stand for.
 
-    Bilinear in the corners: a triangle repeats its last.
+    Bilinear in the corners; a triangle repeats its last.
     """
     nodes, weights = np.polynomial.legendre.leggauss(points)
     s, t = (x.ravel()[:, None] for x in np.meshgrid(0.5 + 0.5 * nodes, 0.5 + 0.5 * nodes))

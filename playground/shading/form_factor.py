@@ -7,7 +7,7 @@ shapes `form_factor_shapes`.
 
 All arguments broadcast; results have their shape (...). Lengths are in any one unit, angles enter
 as sine and cosine. Each formula is written so that nothing cancels, near or far: the
-textbook forms of the rectangles lose all digits of float32 at 64 sizes' distance.
+textbook forms of the rectangles lose all digits of float32 at a distance of 64 sides.
 
 Sources: Cohen & Wallace, Radiosity and Realistic Image Synthesis, 1993; Howell, A Catalogue
 of Radiation Heat Transfer Configuration Factors (numbers as there).
@@ -87,7 +87,7 @@ def opposite_rectangles(width: ArrayLike, height: ArrayLike, gap: ArrayLike) -> 
 
 
 def stretch_of_angle(x: ArrayLike, y: ArrayLike) -> Array:
-    """What w atan(x/w) has more than atan x, with w = √(1 + y²), without their difference."""
+    """The difference w atan(x/w) − atan x, w = √(1 + y²), without cancellation."""
     x, y = np.asarray(x, np.float64), np.asarray(y, np.float64)
     w = np.sqrt(1.0 + y * y)
     more = y * y / (1.0 + w)  # w − 1
@@ -115,7 +115,10 @@ def adjacent_rectangles(width: ArrayLike, other: ArrayLike, edge: ArrayLike) -> 
 
 
 def log_share(w: ArrayLike, h: ArrayLike) -> Array:
-    """W² ln(w²(1 + r²) / ((1 + w²) r²)), r² = w² + h²; the fraction is 1 − h²/((1 + w²) r²)."""
+    """The term w² ln(w²(1 + r²) / ((1 + w²) r²)), r² = w² + h².
+
+    The fraction is 1 − h²/((1 + w²) r²): near 1 its gap counts.
+    """
     w, h = np.asarray(w, np.float64), np.asarray(h, np.float64)
     r_squared = w * w + h * h
     missing = h / r_squared * h / (1.0 + w * w)
@@ -134,8 +137,9 @@ def adjacent_strips(
 ) -> Array:
     """F of two infinitely long strips that share an edge, from the one of ``width``.
 
-    Of half the angle between them, sine and cosine. Hottel's crossed strings (Howell C-5):
-    F = (a + b − c)/(2a) with c the way between the far edges, c² = (a − b)² + 4ab sin²(θ/2).
+    ``half_sine`` and ``half_cosine`` are of half the angle between them. Hottel's crossed strings
+    (Howell C-5 for equal widths, C-5a for any): F = (a + b − c)/(2a) with c the way between the far
+    edges, c² = (a − b)² + 4ab sin²(θ/2).
     Then (a + b)² − c² = 4ab cos²(θ/2), and nothing cancels for nearly flat plates.
     Error 8 roundings, relative. Source: Hottel & Sarofim, Radiative Transfer, 1967.
     """

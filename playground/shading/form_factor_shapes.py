@@ -5,7 +5,7 @@ the share of the light leaving the first shape, or a small element of a surface,
 at the second. All arguments are lengths in one unit, or cosines; they broadcast to (...).
 
 Source: Howell, A Catalogue of Radiation Heat Transfer Configuration Factors (numbers as
-there), rearranged so that no difference of near equals is left.
+there), rearranged so that no near equals are subtracted.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def coaxial_discs(radius: ArrayLike, other: ArrayLike, gap: ArrayLike) -> Array:
 
 
 def element_to_disc(height: ArrayLike, offset: ArrayLike, radius: ArrayLike) -> Array:
-    """F from an element that faces a parallel disc, ``offset`` from its axis (Howell B-13).
+    """F from an element that faces a parallel disc, ``offset`` from its axis.
 
     F = ½ (1 − Q/P) with Q = h² + a² − r², P = √(h² + (a − r)²) √(h² + (a + r)²). As
     P² − Q² = 4 r² h², it is 2 r² h² / (P (P + Q)) where Q > 0. Error 12 roundings, relative.
@@ -72,8 +72,8 @@ def element_to_sphere(distance: ArrayLike, radius: ArrayLike, cosine: ArrayLike)
 def cut_sphere(h: ArrayLike, c: ArrayLike, q: ArrayLike, w: ArrayLike) -> Array:
     """F of a sphere that the horizon cuts, with the letters of `element_to_sphere`.
 
-    For a far sphere all three terms are w/q to first order, and F is of third or fifth. With
-    atan x = x − x³ s(x) the first order drops out: where c < 0,
+    For a far sphere all three terms are w/q to first order and cancel; F is of third or fifth.
+    With atan x = x − x³ s(x) the first order drops out: where c < 0,
     π F = x³ (s(y)/c² − s(x)), x = w/q, y = w H/(q |c|), and where c >= 0,
     π F = x/H² − x³ s(x) + c β/H³. A near sphere, x > ½, needs none of this.
     """

@@ -1,9 +1,9 @@
 """The hemicube: half a cube over a patch, and how much of its light goes through each pixel.
 
 Twin: shaders/lib/hemicube.glsl. The cube has half edge 1 and stands on the patch, its centre in
-the patch's. The top is the plane z = 1 with N x N pixels, each side has N x N/2; a pixel is
-counted from −1 along the first axis of its face (``column``) and, on the top, from −1, on a side
-from the horizon z = 0 along the second (``row``). What goes through a pixel is its *delta form
+the patch's. The top is the plane z = 1 with N x N pixels, each side has N x N/2; pixels
+are counted along the first axis of their face from −1 (``column``) and along the second (``row``)
+from −1 on the top, from the horizon z = 0 on a side. What goes through a pixel is its *delta form
 factor*; those of all pixels in which another patch is seen add up to the form factor.
 
 Source: Cohen & Greenberg, The Hemi-Cube: A Radiosity Solution for Complex Environments, SIGGRAPH
@@ -62,10 +62,10 @@ def exact_delta_form_factor(
 ) -> Array:
     """The integral over the pixel, by Gauss's rule of 5 x 5 points; over all pixels they sum to 1.
 
-    Coarse pixels are cut into cells of an edge of at most 1/8. The error is 2e-14,
-    relative: the integrand has its poles at a distance of 1 from the face, 16 half edges, and the
-    rule loses a factor of 32 to the power 10. A closed form (the difference of the view
-    factors of four rectangles) would lose five digits in the lowest row.
+    Coarse pixels are cut into cells of an edge of at most 1/8. The error is 2e-14, relative: the
+    integrand's poles are at a distance of 1 from the face, 16 half edges of a cell, so that the
+    rule's error is about 32^-10. A closed form (the difference of the view factors of four
+    rectangles) would lose five digits in the lowest row.
     """
     column, row, resolution = floats(column, row, resolution)
     cells = ceil(FINE / float(np.min(resolution)))

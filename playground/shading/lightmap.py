@@ -16,7 +16,7 @@ AROUND = [(x, y) for y in (-1, 0, 1) for x in (-1, 0, 1) if (x, y) != (0, 0)]
 
 
 def dilated(texels: NDArray[np.floating], texel: ArrayLike) -> Array:
-    """What one pass of dilation makes of texels: the mean of those around that are covered.
+    """What one pass of dilation makes of texels: the mean of the covered ones around.
 
     A covered texel keeps its value; one with no covered neighbour among eight stays empty.
     Everything is read from the image before the pass: done in place, the result would depend

@@ -1,7 +1,7 @@
 """False colours for numbers that a picture would hide.
 
 Twin: shaders/lib/marks.glsl. A screen shows NaN as black, infinity as white, and cuts what
-is negative or above 1; each gets a flat colour here instead. The colours are told apart
+is negative or above 1; each gets a flat colour here instead. The colours can be told apart
 with any colour vision (Okabe & Ito, Color Universal Design, 2008).
 """
 

@@ -107,7 +107,7 @@ def schlick(
 
     1 for total internal reflection. Meant for θ_i on the side of the smaller index, where it is
     off by at most 0.036 at n = 1.5; from the denser side give it the angles and indices of the
-    transmitted ray, or it is off by up to 0.9. At equal indices it still reflects
+    transmitted ray, or it is off by up to 0.93. At equal indices it still reflects
     (1 − cos θ_i)⁵ where the exact answer is 0.
     Source: Schlick, An Inexpensive BRDF Model, Computer Graphics Forum 13(3), 1994, eq. 15.
     """
@@ -148,7 +148,7 @@ def plate_shift(
     index_i: ArrayLike,
     index_t: ArrayLike,
 ) -> Array:
-    """How far a plane-parallel plate moves a ray aside, in units of ``thickness``; (...).
+    """How far a plane-parallel plate moves a ray aside: a length, like ``thickness``; (...).
 
     d sin θ_i (n_t cos θ_t − n_i cos θ_i) / (n_t cos θ_t): within the plate the way is d / cos θ_t
     long and turned by θ_i − θ_t, which makes d sin(θ_i − θ_t) / cos θ_t; then Snell's law.
@@ -174,7 +174,7 @@ def mirror_series(rho: ArrayLike, bounces: ArrayLike) -> Array:
 
 
 def bounces_until(rho: float, missing: float) -> int:
-    """The fewest bounces after which less than the share ``missing`` of `mirror_series` lacks.
+    """The fewest bounces after which `mirror_series` lacks less than the share ``missing``.
 
     The smallest d >= 0 with ρ^(d+1) < missing, for 0 <= ρ < 1 and 0 < missing < 1.
 

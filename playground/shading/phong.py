@@ -19,7 +19,7 @@ from playground.shading.vector import dot, halfway, reflection
 
 
 def component_filter(light: ArrayLike, material: ArrayLike) -> Array:
-    """S ⊗ m: each colour channel of the light, weakened by that of the material."""
+    """The product s ⊗ m: each colour channel of the light, weakened by the material's; (..., 3)."""
     light, material = floats(light, material)
     return np.asarray(light * material)
 
@@ -49,8 +49,8 @@ def blinn_factor(
 def gate(normal: ArrayLike, to_light: ArrayLike) -> Array:
     """1 where the light is above the surface, n·l > 0, and 0 elsewhere, shape (...).
 
-    Multiplied with the specular factor it removes highlights on the far side of the
-    light, which the lecture's formula to the letter allows. Source: Akenine-Möller et al.,
+    Times the specular factor it removes highlights on surfaces that face away from the light,
+    which the lecture's formula, taken literally, allows. Source: Akenine-Möller et al.,
     Real-Time Rendering 4, chapter 9.
     """
     cosine = dot(normal, to_light)

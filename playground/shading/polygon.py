@@ -81,7 +81,7 @@ def chosen_vectors(vectors: Array, chosen: Array) -> Array:
 
 
 def shown(total: Array, two_sided: bool) -> Array:
-    """What arrives: the other side of a polygon is dark unless it has two."""
+    """What arrives: the back of a polygon is dark unless it is two-sided."""
     return np.asarray(np.abs(total) if two_sided else np.maximum(total, 0.0))
 
 
@@ -93,8 +93,8 @@ def stretched(offset: ArrayLike, normal: ArrayLike, axis: ArrayLike) -> Array:
     a lobe of exponent sh/4 that is narrower by cos θ across. A light stretched across by
     1/cos θ meets a round lobe instead, times cos θ for the solid angle on the axis (the idea
     of Heitz et al., Real-Time Polygonal-Light Shading with Linearly Transformed Cosines, 2016).
-    An approximation, right to second order around the axis: off by 1 % of the brightest (sh = 80,
-    up to 30°) to 9 % (sh = 20 at 75°), and by 28 % for sh = 5 at grazing angles.
+    An approximation, right to second order around the axis: off by 1 % of the brightest value
+    (sh = 80, up to 30°) to 9 % (sh = 20 at 75°), and by 28 % for sh = 5 at grazing angles.
     """
     offset, normal, axis = (np.asarray(x, np.float64) for x in (offset, normal, axis))
     across = cross(normal, axis)

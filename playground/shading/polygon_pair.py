@@ -3,18 +3,20 @@
 Twin: shaders/lib/polygon_pair.glsl. Corners (..., K, 3) are counter-clockwise seen from the
 side that shines; a polygon with fewer corners repeats its last. Nothing stands in between.
 
-The rule, for every pair alike. Each polygon is cut to what is in front of the other. Then, with the
-gap between them at least `APART` radii of the smaller one, that one is covered with Gauss's
-points, and Lambert's formula gives what each sees of the other: all terms are positive, and
-nothing cancels for far or tiny ones. Closer pairs, down to touching and crossing ones, take the sum
-over their edges of `playground.shading.edge_pair`, in which an edge may lie on another.
+One rule for every pair. Each polygon is cut to what is in front of the other. Where the gap between
+them is at least `APART` radii of the smaller one, that one is covered with Gauss's points, and
+Lambert's formula gives what each point sees of the other: all terms are positive, and nothing
+cancels for far or tiny ones. Closer pairs, down to touching and crossing ones, take the sum over
+their edges of `playground.shading.edge_pair`, in which an edge may lie on another.
 
 Error of the form factor: 1e-10 relative, and for close pairs 1e-16 P_a P_b/(2π A) absolute, with
-the perimeters P and the area A of the first: for compact polygons 1e-15, for a ribbon of 1000 : 1
-about 1e-11. float32: 5e-6 relative and 5e-8 absolute. There the sum over the edges of close pairs
-would lose ten times as much, so that GLSL takes away from it, where it can, the sum for the shadow
-of one polygon on the other's plane, which is 0 where they lie side by side; and a ribbon that
-touches nothing gets points all along. Others have 6e-8 P_a P_b/(2π A), absolute.
+the perimeters P and the area A of the first: 1e-15 for compact polygons. Ribbons askew to the axes,
+whose corners are rounded, lose more: about 1e-11 at 1000 : 1.
+
+float32: 5e-6 relative and 5e-8 absolute. There the sum over the edges of close pairs would lose
+ten times as much. So GLSL subtracts from it, edge by edge, the sum for the shadow of one polygon
+on the other's plane, which is 0 where they lie side by side; and a ribbon that touches nothing
+gets points all along. What fits neither is off by 6e-8 P_a P_b/(2π A), absolute.
 
 Sources: Goral et al., SIGGRAPH 1984; Schröder & Hanrahan, On the Form Factor Between Two
 Polygons, SIGGRAPH 1993, on the integral; Baum, Rushmeier & Winget, SIGGRAPH 1989, on the mixture.

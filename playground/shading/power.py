@@ -44,12 +44,12 @@ def power_below_one(cosine: ArrayLike, gap: ArrayLike, exponent: ArrayLike) -> A
 def lobe(direction: ArrayLike, axis: ArrayLike, shininess: ArrayLike) -> Array:
     """max(direction · axis, 0)^shininess of unit vectors, shapes (..., 3) and (...).
 
-    With d = direction − axis the cosine is 1 − d·d/2. The rounding of d·d/2 is
-    relative to it, that of the dot product is relative to 1: at shininess 10^6 this
-    is the difference between 6e-5 and 0.22 in float32. Far from the axis it is the dot
-    product that has no cancellation. Error: that of an angle off by 16 roundings, for vectors that
-    `vector.unit` made. Source: Sterbenz, Floating-Point Computation, 1974: the difference of
-    numbers within a factor of 2 is exact.
+    With d = direction − axis the cosine is 1 − d·d/2. Near the axis d·d/2 is small, and so is its
+    rounding; that of the dot product is relative to 1. At shininess 10^6 the one is off
+    by 6e-5 in float32, the other by 0.22. Far from the axis it is the dot product in which nothing
+    cancels. Error: that of an angle off by 16 roundings, for vectors that `vector.unit` made.
+    Source: Sterbenz, Floating-Point Computation, 1974: the difference of numbers within a
+    factor of 2 is exact.
     """
     direction, axis, shininess = floats(direction, axis, shininess)
     difference = direction - axis

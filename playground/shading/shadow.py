@@ -2,7 +2,7 @@
 
 Twin: shaders/lib/shadow.glsl. The closed form of `area_light` knows of nothing in between; the
 share of it that arrives is estimated from points on the light, each weighed by what it adds to
-the closed form: exactly 1 where all are seen, exactly 0 where none is.
+the closed form: exactly 1 where all points are seen, exactly 0 where none is.
 Source: Heitz, Hill, McGuire, Combining Analytic Direct Illumination and Stochastic Shadows, I3D
 2018 (the ratio estimator).
 """
@@ -21,8 +21,8 @@ def lamp_weight(
 ) -> Array:
     """The solid angle of a piece of a flat lamp per area of it, cos θ / d², shape (...).
 
-    ``to_lamp`` is the unit vector from the point to the piece, ``facing`` the lamp's unit normal;
-    behind a lamp that is not ``two_sided`` it is 0.
+    ``to_lamp`` (..., 3) is the unit vector from the point to the piece, ``distance`` (...) the way
+    there, ``facing`` (3,) the lamp's unit normal; 0 behind a lamp that is not ``two_sided``.
     """
     to_lamp, distance, facing = floats(to_lamp, distance, facing)
     cosine = -dot(facing, to_lamp)
@@ -33,7 +33,7 @@ def lamp_weight(
 def visible_share(seen: ArrayLike, whole: ArrayLike) -> Array:
     """The weight of the samples seen over that of all, (...); 1 where no sample has a weight.
 
-    There the light lies between two samples, seen from the edge: its closed form is left as it is.
+    Then only a sliver of the light between samples may shine there: its closed form stays whole.
     """
     seen, whole = floats(seen, whole)
     some = whole > 0.0

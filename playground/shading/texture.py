@@ -26,7 +26,7 @@ def bilinear(texels: NDArray[np.floating], texcoord: ArrayLike) -> Array:
     Returns
     -------
     (..., C) array of float64.
-        Source: OpenGL 4.6 core specification, section 8.14.3.
+        Source: OpenGL 4.6 core specification, section 8.14.2.
     """
     height, width = texels.shape[:2]
     texcoord = np.asarray(texcoord, dtype=np.float64)

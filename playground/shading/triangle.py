@@ -37,9 +37,9 @@ def ray_shear(direction: ArrayLike) -> Array:
 def sheared_triangle(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> tuple[Array, Array]:
     """The t and weights (..., 3) with which the ray (0, 0, t) meets a triangle, `ray_shear`ed.
 
-    Three edge functions of the (x, y) decide. A product is rounded monotonically, so the
-    sign of a difference of two is right or 0, and a ray on an edge hits: nothing slips
-    between two triangles. Without area there is nothing to hit. Source: as `ray_shear`.
+    Three edge functions of x and y decide. Rounding keeps the order of two products, so the
+    sign of their difference is right or 0, and a ray on an edge hits: nothing slips between two
+    triangles. One without area is never hit. Source: as `ray_shear`.
     """
     a, b, c = floats(a, b, c)
     u = c[..., 0] * b[..., 1] - c[..., 1] * b[..., 0]
@@ -58,8 +58,8 @@ def ray_triangle(
 ) -> tuple[Array, Array]:
     """The t and barycentric weights of ``a``, ``b``, ``c`` at the hit; edges count, both sides.
 
-    Both are as good as the triangle is high: of a sliver with a height of s of its length, weights
-    are off by roundings / s, and t is that of a point of the triangle as far beside the ray.
+    A sliver costs digits: where its height is s times its length, the weights are off by
+    roundings / s, and t is that of a point of the triangle that far beside the ray.
     Source: as `ray_shear`.
     """
     origin, direction, a, b, c = floats(origin, direction, a, b, c)

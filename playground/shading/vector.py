@@ -32,7 +32,7 @@ def length_any(v: ArrayLike) -> Array:
 
     Dividing by the largest component first keeps the squares from overflowing and
     vanishing. Error: 8 roundings, relative. Source: Blue, A Portable Fortran Program to Find
-    the Euclidean Norm, 1978.
+    the Euclidean Norm of a Vector, 1978.
     """
     (v,) = floats(v)
     largest = np.max(np.abs(v), axis=-1)
@@ -42,7 +42,7 @@ def length_any(v: ArrayLike) -> Array:
 
 
 def unit(v: ArrayLike) -> Array:
-    """V / |v| for vectors of any length, shape (..., 3); the zero vector stays zero.
+    """The unit vector v / |v| for any length, shape (..., 3); the zero vector stays zero.
 
     Error: 8 roundings of each component. Source: Blue 1978, as in `length_any`.
     """
@@ -75,8 +75,8 @@ def halfway(to_light: ArrayLike, to_eye: ArrayLike) -> Array:
 def turned_to_eye(normal: ArrayLike, to_eye: ArrayLike) -> Array:
     """The normal of a surface seen from behind: turned to the eye where it looks away; (..., 3).
 
-    An interpolated normal that faces the eye stays, whatever way its small triangle
-    lies: a scanned mesh would show dark specks otherwise. Source: two-sided lighting,
+    An interpolated normal that faces the eye stays as it is, even where its triangle does
+    not: a scanned mesh would show dark specks otherwise. Source: two-sided lighting,
     OpenGL 1.1 specification, section 2.13.1, which asks the triangle instead.
     """
     away = dot(normal, to_eye)[..., None] < 0.0
@@ -108,13 +108,12 @@ def _whole(x: float) -> int:
 def normal_matrix(linear: ArrayLike) -> Array:
     """The matrix that carries normals along when ``linear`` carries points, shape (3, 3).
 
-    The cofactor matrix turns a plane's normal with the plane, whatever the stretch,
-    and needs no inverse; times the sign of the determinant, it leaves the normal of a
-    mirrored object pointing outwards. Columns are scaled by powers of two first, so that scales
-    from 1e-150 to 1e150 neither overflow nor vanish; the largest entry of the result
-    is about 1. Of float32 numbers every entry is right to 4 roundings of float64, also where
-    the matrix is singular. Points to keep in mind: the result is not a rotation, so normals must
-    be made unit length again. Has no twin: it is needed once per object, not per point.
+    The cofactor matrix turns a plane's normal with the plane, whatever the stretch, and needs
+    no inverse; times the sign of the determinant, it keeps the normals of a mirrored object
+    outwards. It is no rotation: normals must be made unit length again. Columns are
+    scaled by powers of two first, so that scales from 1e-150 to 1e150 neither overflow nor
+    vanish; the largest entry of the result is about 1. For float32 numbers every entry is right
+    to 4 roundings of float64, even where the matrix is singular. Has no twin: once per object.
 
     Source: Akenine-Möller et al., Real-Time Rendering 4, section 4.1.7; Lengyel,
     Transforming Normals, 2024.

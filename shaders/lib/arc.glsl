@@ -42,7 +42,8 @@ float one_less_exp(float y) {
 const float NEGLIGIBLE = 17.0;     // e^-17 = 4e-8: no more of the lobe counts in float32
 const float AWAY = 0.5;            // 1 − h² below which a great circle stays away from the axis: 45°
 
-// The slope of the integral below at x: (1 − c^power) dφ/dx, or c^power dφ/dx of a circle away.
+// The integrand of lobe_arc at x: (1 − c^power) dφ/dx, or c^power dφ/dx of a circle away from the
+// axis; both over 2 h/w.
 float lobe_slope(float x, float h, float squared, float w, float power) {
     float deep = (1.0 - x) * (1.0 + x);
     deep *= deep;
@@ -53,7 +54,7 @@ float lobe_slope(float x, float h, float squared, float w, float power) {
     return value * (w * w * deep + far) / (max(near, 1e-37) * (1.0 + x * x));
 }
 
-// Ten points of Gauss, of which half is given, place and weight: they lie symmetrically.
+// Gauss's ten points on −1 to 1, place and weight of one half: the others are their mirror images.
 const int ARC_POINTS = 5;
 const vec2 ARC_GAUSS[5] = vec2[5](vec2(0.148874338982, 0.295524224715), vec2(0.433395394129, 0.269266719310),
     vec2(0.679409568299, 0.219086362516), vec2(0.865063366689, 0.149451349151), vec2(0.973906528517, 0.0666713443087));
@@ -76,12 +77,12 @@ float lobe_gauss(float start, float end, float h, float squared, float w, float 
 
 // ∫ (1 − c^power) dφ along the arc, c > 0 the cosine to the axis, φ the angle around it.
 //
-// The arc's great circle, of normal m, comes within h = axis·m of the axis, and with τ = tan of
-// the arc from there, c² = (1 − h²)/(1 + τ²) and dφ = h/(h² + τ²) dτ. With τ = 2wx/(1 − x²), w the
-// width of the peak, the integrand is smooth in x. Gauss's points take the part where
-// c^power counts; the rest is an angle. A circle away from the axis may run
-// along its equator, where τ has few digits: there the whole angle counts less ∫ c^power dφ, and
-// w = h makes x = tan(φ/2).
+// The arc's great circle has the normal m and passes the axis at an angle of sine h = axis·m. With τ
+// the tangent of the way along the circle from there, c² = (1 − h²)/(1 + τ²) and
+// dφ = h/(h² + τ²) dτ. In x, τ = 2wx/(1 − x²) with w the width of the peak, the integrand is smooth.
+// Gauss's points take the part where c^power counts; beyond, the integral is an angle. A circle far
+// from the axis may run along its equator, where τ has few digits: there the result is the whole
+// angle less the small ∫ c^power dφ, and w = h makes x = tan(φ/2).
 float lobe_arc(vec3 a, vec3 b, vec3 axis, float power) {
     vec3 m = cross(a, b - a);
     float squared = dot(m, m);

@@ -5,10 +5,10 @@
 
 const float TINY = 0.03;           // extent over distance below which edges lose 5e-6
 const float TINY_LOBE = 0.1;       // the same in widths of the lobe, 1/√(exponent + 1)
-const float STEEP = 0.1;           // the same over the cosine to the axis: near its equator powers are steep
+const float STEEP = 0.1;           // the same in cosines to the axis: near its equator powers are steep
 
-// F = 1/π ∫ cos θ dω over the part of the polygon above the surface: 0 to 1. What does not count
-// is left out by loops of length 0: llvmpipe walks both sides of an if, but jumps out of loops.
+// F = 1/π ∫ cos θ dω over the part of the polygon above the surface: 0 to 1. A case that does not
+// apply has a loop of length 0: llvmpipe runs both sides of an if, but skips an empty loop.
 float form_factor(vec3 position, vec3 normal, vec3 corners[AREA_CORNERS], bool two_sided) {
     vec3 seen = sighted(position, normal, corners);
     bool above = seen.x > 0.0, small = above && seen.z < TINY * TINY;

@@ -3,7 +3,7 @@
 // start of the edge u. Here ln r stands for ln r + 1: constants cancel around a polygon.
 #include "lib/arc.glsl"
 
-// ln r²; at r = 0, where it is multiplied by 0, a number.
+// ln r²; finite at r = 0, where it is multiplied by 0.
 float log_squared(float squared) {
     float s = max(squared, 1e-37);
     return 0.693147181 * log2_near_one(s, 1.0 - s);
@@ -18,8 +18,8 @@ float mean_log(vec3 offset, vec3 v) {
     return 0.5 * logs + d * angle_of(d, d * d - f * (1.0 - f));
 }
 
-// What mean_log gains where the edge rises over a plane of normal up, compared to its shadow on it;
-// offset starts in the plane. Each part is of second order in the heights, and none a difference.
+// mean_log of the edge less that of its shadow on a plane of normal up, from which offset starts.
+// Each part is of second order in the heights over the plane; no large numbers are subtracted.
 float mean_log_risen(vec3 offset, vec3 v, vec3 up) {
     float high = dot(offset, up), rise = dot(v, up), higher = high - rise;
     vec3 o = offset - high * up, w = v - rise * up, beyond = o - w;
@@ -37,8 +37,8 @@ float mean_log_risen(vec3 offset, vec3 v, vec3 up) {
     return 0.5 * logs + d_more * angle + c_flat / flat_whole * angle_more;
 }
 
-// The second antiderivative of ln r along parallel lines, in steps from 0 to d apart:
-// ¼ (x² − d²) ln(x² + d²) + x d atan(x/d) − ¼ x², and what it gains from the distance d − more.
+// The second antiderivative of ln r along parallel lines d apart:
+// ¼ (x² − d²) ln(x² + d²) + x d atan(x/d) − ¼ x²; parallel_gain is what it gains from d − more to d.
 float parallel_part(float x, float d) {
     return 0.25 * (x * x - d * d) * log_squared(x * x + d * d) + x * d * angle_of(x, d) - 0.25 * x * x;
 }

@@ -3,15 +3,16 @@
 // edges a + s u and b + t v; lengths near 1.
 #include "lib/edge_log.glsl"
 
-// Eight points of Gauss on 0 to 1, of which the distances from the middle and the weights are given.
+// Gauss's eight points on 0 to 1: the distances of four from the middle, and their weights.
 const float EDGE_NODES[4] = float[4](0.0917173212478, 0.262766204958, 0.398333238707, 0.480144928249);
 const float EDGE_WEIGHTS[4] = float[4](0.181341891689, 0.156853322939, 0.111190517227, 0.0506142681452);
 const float NEAREST = 1e-4;        // of a piece: what is nearer to an end counts for less than 1e-7
 const float LONGEST = 2.0;         // of one piece in the stretched variable, where 8 points give 1e-7
 const float PARALLEL = 1e-6;       // sine below which edges are parallel: as exact as their corners
 
-// ∫ mean_log ds from the end in steps of whole length, of which the gap to what bends it is given:
-// s = end ± gap sinh(x), the nearer, the denser. A long way in x is cut into equal pieces.
+// ∫ mean_log ds from s = end over the length whole, and ∫ ds by the same points. gap is how far what
+// bends mean_log lies from there: s = end ± gap sinh(x), the nearer, the denser. A long way in x is
+// cut into equal pieces.
 vec2 graded_logs(vec3 offset, vec3 u, vec3 v, vec3 up, float end, float whole, float gap) {
     float far = abs(whole) / gap;
     vec2 total = vec2(0.0);

@@ -1,6 +1,6 @@
 // Radiosity that has a closed form: furnaces, facing plates, spheres, ducts.
 // Twin: playground/shading/enclosure.py. rho is a reflectance, emission what a surface emits.
-// A difference 1 − ρ is formed of ρ itself, never of a product: near ρ = 1 all digits are in it.
+// 1 − ρ is formed with ρ itself, never with a product: near ρ = 1 all digits are in that difference.
 #include "lib/power.glsl"
 
 // C = E + ρ H, the radiosity equation of one patch.
@@ -31,7 +31,7 @@ float facing(float emission, float other_emission, float share, float other_shar
     return (emission + share * other_emission) / lost;
 }
 
-// C of a hollow sphere around a smaller one, whose form factor it is to_inner.
+// C of a hollow sphere around a smaller one; to_inner is the form factor to that.
 float around_sphere(float emission, float inner_emission, float rho, float inner_rho, float to_inner) {
     float back = rho * to_inner;
     float lost = (1.0 - rho) + back * (1.0 - inner_rho);

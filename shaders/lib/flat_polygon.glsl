@@ -6,7 +6,7 @@
 #endif
 #define PAIR_SLOTS (2 * PAIR_CORNERS) // corners of what a plane may leave of a polygon
 
-const float ON_PLANE = 2.4e-7;     // heights of so much of the distance are rounding: on the plane
+const float ON_PLANE = 2.4e-7;     // a height of this share of the distance is rounding: on the plane
 
 // The normal, as long as the area (Newell).
 vec3 area_vector(vec3 corners[PAIR_CORNERS]) {
@@ -20,7 +20,7 @@ float polygon_area(vec3 corners[PAIR_CORNERS]) {
     return length(area_vector(corners));
 }
 
-// The height of a point over a plane through start, rounding taken for 0.
+// The height of a point over a plane through start; rounding counts as 0.
 float height_over(vec3 point, vec3 start, vec3 normal) {
     vec3 away = point - start;
     float height = dot(away, normal);

@@ -38,7 +38,7 @@ float point_to_disc(vec3 x, vec3 nx, vec3 y, vec3 ny, float area) {
     return between.x * between.y * (size / (1.0 + size * size)) * size;
 }
 
-// What w atan(x/w) has more than atan x, with w = √(1 + y²), without their difference.
+// The difference w atan(x/w) − atan x, w = √(1 + y²), without cancellation.
 float stretch_of_angle(float x, float y) {
     float w = sqrt(1.0 + y * y);
     float more = y * y / (1.0 + w);

@@ -12,7 +12,7 @@ float coaxial_discs(float radius, float other, float gap) {
     return 2.0 * b * b / (a * a + b * b + c * c + root);
 }
 
-// F from an element that faces a parallel disc, offset from its axis (Howell B-13).
+// F from an element that faces a parallel disc, offset from its axis.
 float element_to_disc(float height, float offset, float radius) {
     float size = max(max(height, offset), radius);
     float less = (offset - radius) / size, more = (offset + radius) / size;

@@ -1,8 +1,8 @@
 // The hemicube: half a cube over a patch, and how much of its light goes through each pixel.
 // Twin: playground/shading/hemicube.py. The cube has half edge 1 and stands on the patch, its
 // centre in the patch's. The top is the plane z = 1 with N x N pixels, each side has N x N/2;
-// a pixel is counted from -1 along the first axis of its face (column) and, on the top, from
-// -1, on a side from the horizon z = 0 along the second (row). What goes through a pixel is its
+// pixels are counted along the first axis of their face from -1 (column) and along the second
+// (row) from -1 on the top, from the horizon z = 0 on a side. What goes through a pixel is its
 // delta form factor; those of all pixels in which another patch is seen add up to the form factor.
 // Source: Cohen & Greenberg, The Hemi-Cube: A Radiosity Solution for Complex Environments,
 // SIGGRAPH 1985; Cohen & Wallace, Radiosity and Realistic Image Synthesis, 1993, section 4.
@@ -25,7 +25,7 @@ float delta_form_factor(float column, float row, float resolution, bool side) {
 }
 
 // The integral over the pixel, by Gauss's rule of 5 x 5 points; over all pixels they sum to 1.
-// Coarse pixels are cut into cells of an edge of at most 1/2: the error is 1e-9 then, less than
+// Coarse pixels are cut into cells of an edge of at most 1/2: then its error, 1e-9, is less than
 // the rounding. Sums are nested, so that none has more than five terms.
 float exact_delta_form_factor(float column, float row, float resolution, bool side) {
     const float nodes[5] = float[5](-0.90617985, -0.53846931, 0.0, 0.53846931, 0.90617985);

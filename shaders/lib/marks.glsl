@@ -2,7 +2,7 @@
 // above 1. Twin: playground/shading/marks.py, which says what the colours are.
 
 // Bit k of the result says that kind k is there. Bits tell what comparisons may not: many
-// drivers take no NaN into account, and count a denormal number as 0.
+// drivers ignore NaN and count a denormal number as 0.
 int kinds_of(vec3 colour, float exposure, float smallest) {
     int found = 0;
     for (int i = 0; i < 3; ++i) {

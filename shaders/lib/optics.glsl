@@ -67,7 +67,7 @@ vec3 transmitted_share(vec3 absorption, float distance) {
     return exp(-absorption * distance);
 }
 
-// How far a plane-parallel plate moves a ray aside, in units of thickness.
+// How far a plane-parallel plate moves a ray aside: a length, like thickness.
 float plate_shift(float thickness, float cosine_i, float sine_i, float index_i, float index_t) {
     float bent = index_t * cosine_transmitted(sine_i, index_i, index_t);
     return thickness * sine_i * (bent - index_i * cosine_i) / bent;

@@ -17,7 +17,8 @@ const vec3 TRIANGLE_POINTS[7] = vec3[7](
 
 const float FLATTEST = 0.02;       // cosine below which Blinn's highlight gets no narrower
 
-// The lowest and the highest corner over the plane of up, and the squared extent over distance.
+// The heights of the lowest and the highest corner over the plane of up, and the square of extent
+// over distance.
 vec3 sighted(vec3 position, vec3 up, vec3 corners[AREA_CORNERS]) {
     vec3 first = corners[0] - position;
     float low = dot(first, up), high = low, spread = 0.0;
@@ -47,7 +48,7 @@ void cut_edge(inout vec3 a, inout vec3 b, vec3 up, inout bool cut, inout vec3 an
     a = enters ? at : a;
 }
 
-// What arrives: the other side of a polygon is dark unless it has two.
+// What arrives: the back of a polygon is dark unless it is two-sided.
 float shown(float total, bool two_sided) {
     return two_sided ? abs(total) : max(total, 0.0);
 }

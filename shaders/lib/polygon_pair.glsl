@@ -8,7 +8,7 @@
 #include "lib/vector.glsl"
 
 const float APART = 1.0;           // radii of the smaller polygon
-const float CANCELLED = 0.003;     // of the perimeters' product: if less is left of it, edges lose 3e-6
+const float CANCELLED = 0.003;     // share of the perimeters' product: a sum below it has lost 3e-6
 const int MOST_PIECES = 256;       // along a ribbon
 
 // ∫ over a of what its points see of b: eight Gauss points each way on its quads, which are cut
@@ -35,7 +35,7 @@ float seen_from_points(vec3 a[PAIR_SLOTS], vec3 normal, vec3 b[PAIR_SLOTS], floa
     return total;
 }
 
-// Whether an edge of a separates a from what lies above it: the shadow of b on the plane of a.
+// Whether an edge of a separates a from the shadow of b on the plane of a.
 bool beside(vec3 a[PAIR_SLOTS], vec3 normal, vec3 b[PAIR_SLOTS]) {
     bool any_edge = false;
     for (int i = 0; i < PAIR_SLOTS; ++i) {
@@ -48,8 +48,8 @@ bool beside(vec3 a[PAIR_SLOTS], vec3 normal, vec3 b[PAIR_SLOTS]) {
     return any_edge;
 }
 
-// 1/(2π) Σ u·v ∫∫ ln r over all pairs of edges. Of a flat shadow beside a the sum is 0: then only
-// what b rises above it counts, by up, and nothing cancels for nearly flat neighbours.
+// 1/(2π) Σ u·v ∫∫ ln r over all pairs of edges. For a flat shadow beside a the sum is 0: with up, the
+// normal of a, only what rises above the shadow counts, and nothing cancels for nearly flat neighbours.
 float seen_along_edges(vec3 a[PAIR_SLOTS], vec3 up, vec3 b[PAIR_SLOTS]) {
     float total = 0.0;
     for (int k = 0; k < PAIR_SLOTS * PAIR_SLOTS; ++k) {

@@ -5,9 +5,9 @@
 // Source: Heitz, Hill, McGuire, Combining Analytic Direct Illumination and Stochastic Shadows,
 // I3D 2018 (the ratio estimator).
 
-// The solid angle of a piece of a flat lamp per area of it, cos theta / d^2. to_lamp is the
-// unit vector from the point to the piece, facing the lamp's unit normal; behind a lamp that is
-// not two_sided it is 0.
+// The solid angle of a piece of a flat lamp per area of it, cos θ / d². to_lamp is the unit
+// vector from the point to the piece; facing is the lamp's unit normal; 0 behind a lamp that is
+// not two_sided.
 float lamp_weight(vec3 to_lamp, float distance, vec3 facing, bool two_sided) {
     float cosine = -dot(facing, to_lamp);
     cosine = two_sided ? abs(cosine) : max(cosine, 0.0);
@@ -15,7 +15,7 @@ float lamp_weight(vec3 to_lamp, float distance, vec3 facing, bool two_sided) {
 }
 
 // The weight of the samples seen over that of all; 1 where no sample has a weight.
-// There the light lies between two samples, seen from the edge: its closed form is left as it is.
+// Then only a sliver of the light between samples may shine there: its closed form stays whole.
 float visible_share(float seen, float whole) {
     return whole > 0.0 ? seen / whole : 1.0;
 }

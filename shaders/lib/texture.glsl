@@ -3,7 +3,7 @@
 // weights have 8 bits: 1/256 of the contrast between two texels.
 
 // Bilinear interpolation in a repeating image; texel (i, j) has its centre at
-// u = (j + 1/2)/W, v = (i + 1/2)/H (OpenGL 4.6 core, section 8.14.3).
+// u = (j + 1/2)/W, v = (i + 1/2)/H (OpenGL 4.6 core, section 8.14.2).
 vec3 bilinear(sampler2D texels, vec2 texcoord) {
     ivec2 size = textureSize(texels, 0);
     vec2 position = fract(texcoord) * vec2(size) - 0.5;

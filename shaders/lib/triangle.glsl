@@ -2,7 +2,7 @@
 // Twin: playground/shading/triangle.py. A ray is origin + t · direction with t > 0, the direction
 // of any length; −1 where the ray passes by.
 
-// A product and a sum melted into one operation would round the two sides of an edge differently.
+// A product and a sum fused into one operation would round the two sides of an edge differently.
 #if __VERSION__ >= 400
 #define UNFUSED precise
 #else

@@ -3,7 +3,7 @@
 
 // v / |v| for vectors of any length; the zero vector stays zero.
 // Dividing by the largest component first keeps the squares from overflowing and
-// vanishing (Blue, A Portable Fortran Program to Find the Euclidean Norm, 1978).
+// vanishing (Blue, A Portable Fortran Program to Find the Euclidean Norm of a Vector, 1978).
 vec3 unit(vec3 v) {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     vec3 scaled = v / (largest > 0.0 ? largest : 1.0);
@@ -11,8 +11,8 @@ vec3 unit(vec3 v) {
     return squared > 0.0 ? scaled * inversesqrt(squared) : vec3(0.0);
 }
 
-// The same for vectors whose length is known to be moderate, 1e-15 to 1e18: one dot
-// product, in which a square below 1e-38 may be lost. 1e-37 keeps zero what it is.
+// The same for vectors known to be neither long nor short, 1e-15 to 1e18: one dot product,
+// in which a square below 1e-38 may be lost. The 1e-37 lets the zero vector stay zero.
 // GLSL alone: float64 needs no second form.
 vec3 unit_moderate(vec3 v) {
     return v * inversesqrt(max(dot(v, v), 1e-37));
@@ -25,7 +25,7 @@ float length_any(vec3 v) {
 }
 
 // The normal of a surface seen from behind: turned to the eye where it looks away. An
-// interpolated normal that faces the eye stays, whatever way its small triangle lies.
+// interpolated normal that faces the eye stays as it is, even where its triangle does not.
 vec3 turned_to_eye(vec3 normal, vec3 to_eye) {
     return dot(normal, to_eye) < 0.0 ? -normal : normal;
 }

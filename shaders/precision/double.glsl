@@ -1,4 +1,4 @@
-// Functions that GLSL has for float alone, for double. Written into the shaders by
+// For double: functions that GLSL has for float only. Written into the shaders by
 // playground/render/gl/other_precision.py.
 
 // 2^n for n from -1022 to 1023.
@@ -49,7 +49,7 @@ double own_pow(double x, double y) {
     return own_exp(y * own_log(x));
 }
 
-// What is NaN stays NaN, as in NumPy; GLSL's max(NaN, 0) may be 0.
+// NaN stays NaN, as in NumPy; GLSL's max(NaN, 0) may be 0.
 double own_max(double a, double b) { return isnan(a) || isnan(b) ? a + b : max(a, b); }
 double own_min(double a, double b) { return isnan(a) || isnan(b) ? a + b : min(a, b); }
 double own_clamp(double x, double low, double high) { return own_min(own_max(x, low), high); }

@@ -41,8 +41,8 @@ double own_one_less_exp(double y) {
     return y > -0.5lf ? -y * sum : 1.0lf - own_exp(y);
 }
 
-// 36 points of Gauss, of which half is given, place and weight: they lie symmetrically. A small
-// power has a branch point at c = 0, x = ±1: there y(15 − 10y² + 3y⁴)/8 crowds the points.
+// Gauss's 36 points on −1 to 1, place and weight of one half: the others are their mirror images. A
+// small power has a branch point at c = 0, x = ±1: there y(15 − 10y² + 3y⁴)/8 crowds the points.
 const int own_ARC_POINTS = 18;
 const dvec2 OWN_GAUSS[18] = dvec2[18](
     dvec2(0.043018198473708615lf, 0.0859832756703946lf), dvec2(0.12873610380938477lf, 0.08534668573933848lf),

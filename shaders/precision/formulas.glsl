@@ -1,6 +1,5 @@
-// The formulas of lib/vector.glsl and lib/power.glsl that are made for float32, in the form
-// of their NumPy twins, for other precisions. exp, log1p and pow are those of
-// half.glsl or double.glsl.
+// Those formulas of lib/vector.glsl and lib/power.glsl that are made for float32, for other
+// precisions: in the form of their NumPy twins, with exp, log1p and pow of half.glsl or double.glsl.
 
 vec3 own_unit(vec3 v) {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));

@@ -2,7 +2,7 @@
 // float16, to nearest and to even between two. Written into the shaders by
 // playground/render/gl/other_precision.py.
 
-// x as float16 has it. A normal number loses the last 13 bits of 23. Below 2^-14 float16
+// x rounded to float16. A normal number loses the last 13 bits of 23. Below 2^-14 float16
 // numbers are whole multiples of 2^-24. From 65520 on all is infinite.
 float rounded(float x) {
     int bits = floatBitsToInt(x);
@@ -41,7 +41,7 @@ vec3 own_mix(vec3 a, vec3 b, float t) {
     return rounded(rounded(a * rounded(1.0 - t)) + rounded(b * t));
 }
 
-// What is NaN stays NaN, as in NumPy; GLSL's max(NaN, 0) may be 0.
+// NaN stays NaN, as in NumPy; GLSL's max(NaN, 0) may be 0.
 float own_max(float a, float b) { return isnan(a) || isnan(b) ? a + b : max(a, b); }
 float own_min(float a, float b) { return isnan(a) || isnan(b) ? a + b : min(a, b); }
 float own_clamp(float x, float low, float high) { return own_min(own_max(x, low), high); }

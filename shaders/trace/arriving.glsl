@@ -1,6 +1,6 @@
 // How much light gets through to a point. Twin: arriving in playground/render/trace/hits.py.
-// BLOCKING_BALL(DO) and the like name the solids that can stand in the way: a wall with all that
-// is lit, and all lights, on one side of it cannot. CLEAR_BALL(DO) ... name those of glass.
+// BLOCKING_BALL(DO) and the like name the solids that can stand in the way: a wall with all lights
+// and all that is lit on one side cannot. CLEAR_BALL(DO) ... name those of glass.
 #include "trace/meet.glsl"
 #if ABSORPTION
 #include "lib/optics.glsl"

@@ -1,8 +1,8 @@
 // Which triangle of a tree a ray meets first: the GPU's walk.
 // Does what playground/render/trace/walk.py does; the textures are made by
-// playground/render/gl/trace/bvh_texels.py. A node has four children, a texel each: the sides of its
-// box (bvh_box.glsl) and a word, which is the number of the node it is, or for a leaf (top bit set)
-// first slot · 16 + number of triangles.
+// playground/render/gl/trace/bvh_texels.py. A node has four children, a texel each: the sides of the
+// child's box (bvh_box.glsl) and a word, which is the number of its node, or for a leaf (top bit
+// set) first slot · 16 + number of triangles.
 #include "lib/triangle.glsl"
 #include "trace/bvh_box.glsl"
 
@@ -25,9 +25,9 @@ void sort_children(inout float entry_a, inout float entry_b, inout uint a, inout
     }
 }
 
-// The walk of both functions below; it stops at the first hit of all if any_hit. A ray that misses
-// the box of the whole tree does not set out. Loops of their own lead down to a leaf and through it:
-// llvmpipe walks both sides of an if; a loop that no pixel of a group needs ends after one round.
+// The walk of both functions below; with any_hit it stops at the first hit it finds. A ray that misses
+// the box of the whole tree does not set out. Going down to a leaf and through it are loops of their
+// own: llvmpipe runs both sides of an if, but ends a loop that no pixel of a group needs.
 void bvh_walk(usampler2D nodes, sampler2D corners, uint root, vec3 low, vec3 cell, vec3 origin,
               vec3 direction, bool any_hit, inout float limit, out int slot, out vec3 weights) {
     slot = -1;

@@ -4,7 +4,7 @@ const float BVH_NONE = 3.0e38;
 
 // How far a hit can be from its triangle, as a share of the distance to the mesh's farthest corner:
 // six roundings of 2^-24 in the shear, and some twenty more in the slabs, whose divisions may be
-// off by 2.5 units each. Boxes are widened by that, so that none hides a triangle.
+// off by 2.5 units each. Boxes are widened by that, so that none loses a triangle.
 const float BVH_WIDER = 32.0 / 16777216.0;
 
 // A ray in cells: a box's side q is passed at t = q · inverse + near (or far).

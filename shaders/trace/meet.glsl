@@ -6,7 +6,7 @@
 #endif
 
 const float FAR = 3e38;
-const float RIM = 1.000002;        // 32 roundings beyond 1: no gap where two flat solids meet
+const float RIM = 1.000002;        // some 32 roundings beyond 1: no gap where two flat solids meet
 
 #if FLATS > 0
 // The place on a flat solid's plane in the space of the solid, where it is the unit square or disc.
@@ -44,9 +44,9 @@ float meet_ball(int i, vec3 origin, vec3 direction) {
     return inside >= 0.0 ? t : -1.0;
 }
 
-// Whether a ball stands in the way before limit: a question that needs neither root nor quotient.
-// From outside, the way crosses the ball if its line does, and if what of the line is nearest to the
-// centre, or the end of the way, is ahead; from inside, if the end is outside.
+// Whether a ball stands in the way before limit, without a root or a quotient. From outside, the way
+// crosses the ball if its line does and the centre is ahead, and if the point of the line nearest to
+// the centre comes before the end, or the end is inside; from inside, if the end is outside.
 bool ball_stops(int i, vec3 origin, vec3 way, float limit) {
     float squared_radius = ball_radius[i] * ball_radius[i];
     vec3 seen = origin - ball_centre[i];

@@ -8,7 +8,7 @@
 #include "lib/optics.glsl"
 #endif
 
-// Tells a mesh by its number: its hit before limit, the slot of the triangle and the weights.
+// The hit of mesh i before limit, −1 for none; the slot of the triangle and the weights.
 float meet_mesh(int i, vec3 origin, vec3 direction, float limit, out int slot, out vec3 weights) {
     return bvh_closest(bvh_nodes, bvh_corners, mesh_root[i], mesh_low[i], mesh_cell[i],
                        INTO(mesh, i, origin - mesh_centre[i]), INTO(mesh, i, direction),
@@ -41,7 +41,7 @@ vec3 mixed_on_mesh(int i, int slot, vec3 weights, out vec2 texcoord) {
     texcoord = vec2(0.0);
     for (int k = 0; k < 3; ++k) {
         vec4 corner = texelFetch(bvh_normals, bvh_texel(3 * slot + k), 0);
-#if STRETCHED              // or else turning and mixing may change places
+#if STRETCHED              // otherwise the order of turning and mixing makes no difference
         corner.xyz = mesh_normal(i, corner.xyz);
 #endif
         mixed += weights[k] * corner.xyz;

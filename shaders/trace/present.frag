@@ -1,4 +1,4 @@
-// Shows what several samples per pixel have added up to, by the steps of the display.
+// Shows the sum of several samples per pixel, by the steps of the display.
 #include "present.glsl"
 #include "interface/sums.glsl"
 

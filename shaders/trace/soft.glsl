@@ -1,4 +1,4 @@
-// Area lights with soft shadows: the closed form, times the share of the light that arrives.
+// Area lights with soft shadows: the closed form times the share of it that arrives.
 // Twin: soft_shadow in playground/render/trace/direct.py.
 #include "lib/area_light.glsl"
 #include "lib/shadow.glsl"

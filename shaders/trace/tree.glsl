@@ -1,5 +1,5 @@
 // The tree of rays behind one pixel. GLSL has no recursion: of the two rays that leave a surface
-// one is followed, and the other waits on a stack, of which there is never more than one per depth.
+// one is followed, and the other waits on a stack, which never holds more than one per depth.
 // Twin: playground/render/trace/whitted.py. Source: Whitted, An Improved Illumination Model for
 // Shaded Display, CACM 23(6), 1980.
 #include "trace/point.glsl"
@@ -10,7 +10,7 @@
 #include "trace/waiting.glsl"
 #endif
 
-const float LEAST = 1e-30;     // what weighs nothing is not shot whatever the threshold
+const float LEAST = 1e-30;     // a ray of less weight is never shot, even at threshold 0
 const int PASSES = 64;
 
 // Where nothing was hit the material is black, so that no shadow ray sets out from there.

@@ -27,16 +27,16 @@ Ray stack[DEPTH];
 int waiting;               // 0 for none
 
 #if DEPTH <= 8
-// A place per depth, and a bit of `waiting` for each that is taken. Of an array with an index that
-// differs from pixel to pixel llvmpipe reads and writes one pixel after the other: a few choices
-// per place are faster.
+// A place per depth, and a bit of `waiting` for each that is taken. Where an index differs from pixel
+// to pixel, llvmpipe reads and writes an array one pixel after the other: choosing among all places is
+// faster.
 void push(Ray ray, int depth, bool really) {
     for (int k = 0; k < DEPTH; ++k)
         if (really && k == depth) stack[k] = ray;
     waiting |= really ? 1 << depth : 0;
 }
 
-// The ray that has waited shortest, and the depth at which it began to; or the given ones.
+// The ray that has waited shortest and the depth at which it began to, if really; or those given.
 void pop(bool really, inout Ray ray, inout int depth) {
     for (int k = 0; k < DEPTH; ++k) {
         if (really && (waiting & 1 << k) != 0) {

@@ -1,6 +1,5 @@
-// One triangle that covers the picture, and what makes the rays of its pixels. `flat` hands numbers on
-// untouched: llvmpipe loads them once, but a uniform anew for every 8 pixels, and a camera that
-// moves has twelve.
+// One triangle that covers the picture, and what makes the rays of its pixels. `flat` hands on the
+// camera's twelve numbers untouched: llvmpipe loads them once, but uniforms anew for every 8 pixels.
 #include "interface/trace_rays.glsl"
 
 flat out vec3 ray_origin;

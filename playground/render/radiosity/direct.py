@@ -22,7 +22,7 @@ from playground.shading.floats import Array
 from playground.shading.phong import diffuse_factor
 from playground.shading.vector import dot, length_any
 
-POINTS = 4  # per side of a patch: a shadow's edge is seen to a sixteenth of a patch
+POINTS = 4  # per side of a patch: 16 in all, between which a shadow's edge may run
 BEFORE = 1.0 - 1e-9  # of the way to a light: what lies nearer to it than this is the light itself
 FARTHEST = 8.0  # largest coordinates from any point: nothing of the scene is beyond
 WHITE = Object(material=Material(diffuse=(1.0, 1.0, 1.0)))  # reflects what arrives
@@ -32,8 +32,8 @@ WEIGHTS = {"diffuse": 1.0, "specular": 0.0}
 def direct_light(setup: Setup, patches: Patches) -> Array:
     """D_i, (N, 3): the mean over each patch, from 4 × 4 of Gauss's points on it.
 
-    Of a square under a light as high as its side, without a shadow, it is right to 6e-5; the
-    error falls as the height to the power of -8.
+    For a square under a point light as high as its side, fading as 1/d², it is right to 6e-5
+    without a shadow; the error falls as the height to the power of -8.
     """
     total = np.zeros((len(patches), 3))
     if not lamps(setup):
@@ -61,7 +61,7 @@ def arriving_at(
     points : (P, 3) array
         Relative to the origin of the patches.
     normals, sides : (P, 3) arrays
-        Unit normals; those of the flat pieces the points lie on, if ``normals`` are interpolated.
+        Unit normals, and if these are interpolated those of the flat pieces the points lie on.
     """
     total = np.zeros_like(points)
     sides = normals if sides is None else sides

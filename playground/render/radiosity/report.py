@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 class Report:
     """A solution as far as it has come; ``str()`` of it is for a person.
 
-    ``residual`` is the share of the light that has not been sent on, ``bound`` what the light
-    of all patches may still be off by, relative to all of it.
+    ``residual`` is the share of the light that has not been sent on; ``bound``: the light of all
+    patches is off by at most this share of it.
     """
 
     patches: int

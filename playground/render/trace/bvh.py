@@ -35,14 +35,14 @@ class Bvh:
         The first of the two children, the other is the next node; −1 for a leaf. Node 0 is the
         root.
     first, count : (K,) int32
-        The triangles of a node are the slots ``first`` to ``first + count``, those of inner
-        nodes too.
+        The triangles of a node, leaf or not, are in the slots from ``first`` to before
+        ``first + count``.
     order : (F,) int32
         Which triangle of the mesh is in a slot.
     corners : (F, 3, 3) array, in the type of the positions
         The corners of the triangles, by slot.
     levels : (D + 1,) int64
-        Level d has the nodes ``levels[d]`` to ``levels[d + 1]``.
+        Level d has the nodes from ``levels[d]`` to before ``levels[d + 1]``.
     """
 
     low: Singles
@@ -61,7 +61,7 @@ class Bvh:
 
     @property
     def depth(self) -> int:
-        """How many levels there are; a walk never holds more nodes back than this."""
+        """How many levels there are; a ray never has more nodes waiting than this."""
         return len(self.levels) - 1
 
     @cached_property

@@ -4,8 +4,8 @@ The terms are those of `playground.render.shade`, at every hit of every ray. A l
 diffuse and specular term only where both normals see it and its shadow ray arrives; no shadow
 ray is shot to a light that adds nothing. Ambient and emissive terms cast no shadow.
 
-Of an area light the closed form stands for the light unshadowed; `Settings.light_samples` points
-on it, the same at every pixel, say which share of either term arrives.
+For an area light the closed form gives the light without shadows; `Settings.light_samples` points
+on it, the same at every pixel, say which share of each term arrives.
 """
 
 from __future__ import annotations

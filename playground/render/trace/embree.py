@@ -25,9 +25,9 @@ from playground.shading.vector import cross, dot
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
-# Rounded to float32, a ray may start on the wrong side of the surface that it leaves, by a few
-# roundings of its coordinates. It starts later by this share of the largest of them; the few
-# that still meet what they left, at a grazing angle, are told by their t in float64.
+# Rounded to float32, a ray may start a few roundings of its coordinates beyond the surface that it
+# leaves. So it starts farther along by this share of the largest coordinate; the few that still
+# meet what they left, at a grazing angle, are recognised by their t in float64.
 NEAREST = 32.0 * float(np.finfo(np.float32).eps)
 FARTHEST = 1e38  # a t that float32 can hold
 PART = 2**15  # rays that a thread takes at a time: what is computed of them fits into its cache

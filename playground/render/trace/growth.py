@@ -1,9 +1,8 @@
 """How a tree of boxes grows: all nodes of a level are cut at once, where it costs least.
 
-A random ray that meets a box meets a box inside it with the ratio of their surfaces: a cut
-is good if its two surfaces, each times the triangles within, are small. Cuts are looked
-for
-between a few places of equal width along the axes.
+A random ray that meets a box meets a box inside it with a chance that is the ratio of their
+surfaces. So a cut is good if its two surfaces, each times the triangles within, add up to little.
+Cuts are tried between bins of equal width along the axes.
 Sources: MacDonald, Booth, Heuristics for Ray Tracing Using Space Subdivision, 1990; Wald, On
 fast Construction of SAH-based Bounding Volume Hierarchies, 2007.
 """
@@ -21,7 +20,7 @@ SMALLEST_LEAF = 2  # so few triangles are never divided
 LARGEST_LEAF = 8  # more triangles than this are always divided
 BOX_COST = 1.5  # of looking into a node, with the test of one triangle as the unit
 LARGE_NODE = 64  # with more triangles than this on average ...
-BINS = 16  # ... so many places for a cut, along the widest axis;
+BINS = 16  # ... there are so many bins, along the widest axis;
 FEW_BINS = 8  # with fewer triangles so many along each axis
 DEEPEST = 32  # from this level on nodes are halved, so that no mesh makes a list of the tree
 OUTSIDE = np.float32(2.0)  # an empty bin's lowest side: above every one, as all are in -1..1

@@ -98,8 +98,8 @@ def arriving(
 def _through(solid: Solid, origin: Array, direction: Array, limit: Array) -> Array:
     """What one transmissive solid lets through, (N, 3): crossing after crossing.
 
-    Its absorption is that of the way inside: the sum of where the ray leaves less that of
-    where it enters.
+    It absorbs along the way inside: the sum of all t at which the ray leaves less that of all at
+    which it enters.
     """
     share, inside = np.ones((len(origin), 3)), np.zeros(len(origin))
     rays, gone = np.arange(len(origin)), np.zeros(len(origin))

@@ -13,7 +13,7 @@ GOLDEN = (5.0**0.5 - 1.0) / 2.0
 
 
 def square_points(count: int) -> Array:
-    """``count`` points in the unit square, (count, 2): each has a strip of either side to itself.
+    """``count`` points in the unit square, (count, 2): each has its own place along both sides.
 
     The Fibonacci lattice ((i + ½)/n, (i + ½) φ mod 1): along an edge of a shadow, whichever
     way it runs, the light fades in about n steps; a grid of √n × √n points has √n where the
@@ -31,7 +31,7 @@ def points_on(corners: Array, count: int) -> Array:
         sides = np.stack([corners[1] - corners[0], corners[3] - corners[0]])
         return np.asarray(corners[0] + square @ sides)
 
-    # Cut the square into strips as wide as the triangles are large, and fold each into its own.
+    # Cut the square into strips, as wide as triangles are large, and map each onto its triangle.
     pieces = corners[triangles(corners, np.array([len(corners)]))]
     a, b, c = np.moveaxis(pieces, 1, 0)
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1)

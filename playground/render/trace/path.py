@@ -2,8 +2,9 @@
 
 Path tracing (Kajiya, The Rendering Equation, 1986) of what radiosity models, by rays instead of
 patches: Lambertian surfaces that shine and reflect at their front and are black behind, lights of
-every kind, no highlights, mirrors or ambient term. Its mean is the exact picture of the setup,
-whatever the number of samples; `standard_error` says how far the mean of so many may be off.
+every kind, no highlights, mirrors or ambient term. Its expected value is the exact
+picture of the setup, whatever the number of samples; `standard_error` says how far off so many
+samples typically are.
 """
 
 from __future__ import annotations
@@ -139,7 +140,7 @@ class PathTracing:
         added[on] = weight[on] * self._from_lamps(some)
         weight = weight[on] * albedo[on]
 
-        # A direction by the cosine: its weight is the albedo alone.
+        # Directions as likely as their cosine: the weight is the albedo alone.
         direction = _cosine_direction(some.normal, self._random.random((2, len(on))))
         above = np.flatnonzero(dot(direction, some.side) > 0.0)
         on, weight, direction = on[above], weight[above], direction[above]
@@ -211,7 +212,7 @@ def _met(
 
 
 def _cosine_direction(normal: Array, random: Array) -> Array:
-    """Unit vectors about normals (N, 3), as likely as their cosine; random numbers (2, N).
+    """Unit vectors about normals (N, 3), as likely as their cosine; of random numbers (2, N).
 
     A point of the unit sphere added to the normal. Source: Pharr, Jakob, Humphreys, Physically
     Based Rendering, 4th ed., 2023, A.5 (Malley's method says the same).

@@ -57,7 +57,7 @@ class Solid:
     """One thing that rays meet; ``kind`` is mesh or a shape of `analytic`.
 
     ``matrix`` (3, 3) and ``centre`` (3,) lead from the object to the eye's space, ``inverse`` back;
-    ``spread`` (3, 3) is by how much going there and back may enlarge a rounding. ``absorption`` is
+    ``spread`` (3, 3) bounds by how much going there and back enlarges a rounding. ``absorption`` is
     per unit of the eye's space. ``glow`` are the colours (3,) that its front and its back show
     without any light: emissive and ambient terms, or what an area light emits.
     """

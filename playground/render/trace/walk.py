@@ -23,14 +23,14 @@ Floats = NDArray[np.float64]
 BLOCK = 32768  # rays that go together
 
 # How far a hit can be from its triangle: a corner, carried to the ray's frame, is off by six
-# roundings of its distance, a face of a box by three; boxes are widened by more than both, so
-# that none hides a triangle that the watertight test would find.
+# roundings of its distance, a face of a box by three. Boxes are widened by more than both, so that
+# none loses a triangle that the watertight test would find.
 # Source: Woop, Benthin, Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013, section 4.
 UNIT = float(np.finfo(np.float64).eps) / 2.0
 WIDER = 16.0 * UNIT
 
 # A component of a direction that is smaller than this share of the largest one moves a ray by
-# less than a rounding; it is kept from 0 so that one may divide by it.
+# less than a rounding; it is raised to that share, so that one may divide by it.
 STILL = 1e-30
 
 

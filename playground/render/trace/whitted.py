@@ -56,7 +56,7 @@ class Rays(NamedTuple):
 class Wave(NamedTuple):
     """What became of a batch of rays; ray i of it has the number ``first`` + i.
 
-    ``rays`` are as they arrived: weakened by the media on their way. That is ``t`` (N,) long, and
+    ``rays`` are as they arrived: weakened by the media on their way, which is ``t`` (N,) long and
     may lead straight through boundaries that do not count. ``hit`` (K,) are the rays that met
     something, ``met`` where, ``local`` (K, 3) is the colour there. Of the boundary there:
     ``normal`` (K, 3), which mirrors and bends rays; ``fresnel``, ``index_i`` and ``index_t``

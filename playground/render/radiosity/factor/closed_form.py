@@ -1,7 +1,7 @@
-"""Rows of form factors by closed form and rays, of which each pair is computed once.
+"""Rows of form factors by closed form and rays; each pair is computed once.
 
-A_i F_ij is the same from either side: what the rows that came before have told is not computed
-again, which halves the work for all rows.
+A_i F_ij is the same from either side: what earlier rows have told is not computed again, which
+halves the work for all rows.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class ClosedForm:
         Whether patches hide one another.
     points, rays : int
         Per side of a patch, see `pairs`: with 3 and 5 the whole matrix of a room with blocks is
-        off by 0.4 % at 594 patches and by 0.2 % at 2,376 (the sum of all errors beside that of all
+        off by 0.4 % at 594 patches and by 0.2 % at 2,376 (the sum of all errors over that of all
         factors), nearly all of it in half-shadows; with 17 segments per side by 0.1 %.
     gpu : function, optional
         What computes far pairs and shares in place of NumPy: `gl.radiosity.pairs.GpuPairs`.

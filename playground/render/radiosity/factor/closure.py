@@ -1,7 +1,7 @@
 """Whether a scene is closed: whether all light that leaves a patch meets the front of another.
 
-Then the form factors of a patch sum to exactly 1, and what a method's sums differ from 1
-is its error, which normalising takes away. In an open scene a sum below 1 is the truth. Sums
+Then the form factors of a patch sum to exactly 1; by how much a method's sums differ from 1
+is its error, which normalising removes. In an open scene a sum below 1 is the truth. Sums
 alone cannot tell the two apart, so rays are asked.
 """
 
@@ -29,7 +29,7 @@ def is_closed(patches: Patches) -> bool:
     surface sends its light. A patch from which no ray meets any front is covered, as
     the floor beneath a box is, and does not count. An opening that patches see as less than
     about `LOST` of their hemisphere is missed: normalising then changes a sum by no more.
-    That is so of evenly chosen patches, and of patches chosen by area: many small ones, such as
+    Both evenly chosen patches and patches chosen by area must pass: many small ones, such as
     those of a round thing, must not hide what a few large ones lose.
     """
     count = min(ASKED, len(patches))
@@ -59,7 +59,7 @@ def _keeps(patches: Patches, chosen: NDArray[np.intp]) -> bool:
 
 
 def _spread(normal: Array) -> Array:
-    """`RAYS` directions about each normal (N, 3), as many as the cosine asks for; (N, RAYS, 3).
+    """`RAYS` directions about each normal (N, 3), spread as the cosine; (N, RAYS, 3).
 
     A grid in the unit square, moved a little for each patch so that no ray aims along a diagonal
     at the seam between two walls; mapped to the disc and raised to the hemisphere (Malley's

@@ -1,8 +1,8 @@
 """Form factors by the hemicube, drawn with the rasteriser of the oracle: no GL at all.
 
 Every face of every hemicube is a small picture of what the patch sees; many of them are drawn
-at once, one above another. What differs from the GPU's are pixels whose centre lies on the border
-of two patches to within the rounding of positions.
+at once, one above another. Only pixels whose centre lies on the border of two patches,
+to within the rounding of positions, differ from the GPU's.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def hemicube(
 ) -> Array:
     """Rows F_ij of the form-factor matrix for the chosen patches i, (len(chosen), N).
 
-    `Hemicubes` tells what the arguments mean, and keeps what several calls have in common.
+    `Hemicubes` says what the arguments mean, and keeps what several calls have in common.
     """
     return Hemicubes(patches, occlusion, resolution).rows(chosen)
 

@@ -21,12 +21,12 @@ from playground.shading.hemicube import delta_form_factor, exact_delta_form_fact
 from playground.shading.vector import cross, unit
 
 # What lies in a small cube around the patch's centre is not seen; its half edge is this share of
-# the way from the centre to the nearest edge of the patch. What touches the patch along an edge
-# lies beyond, also at an angle of 4 degrees; within lies only what stands right on the patch.
+# the way from the centre to the nearest edge of the patch. What touches the patch along an edge is
+# outside, even at an angle of 4 degrees; inside is only what stands right on the patch.
 NEAR = 1.0 / 32.0
 
-# The back of a piece counts as this much farther away than it is. At the outline of a solid its
-# front and its back meet, and the rounding of positions could bring the back to the fore.
+# The back of a piece counts as this much farther away than it is: at the outline of a solid its
+# front and its back meet, and rounding could put the back in front.
 BACK = 1.0 + 1.0 / 256.0
 
 GOLDEN = 0.6180339887498949  # its multiples, without their whole part, spread most evenly
@@ -70,12 +70,13 @@ class Stands:
 def stands(patches: Patches, chosen: ArrayLike, rotate: bool = True) -> Stands:
     """The hemicubes over the chosen patches, at their centres.
 
-    Each is turned about its normal, by the golden ratio times its number of a quarter turn: else
-    the rows of pixels of all of them would lie alike, often along the borders of patches, and
-    the errors there would add up. The same patches always get the same turns. In a cube of 486
-    patches, at 64 x 64, this takes the error of the matrix from 9.7 % to 5.3 % of its sum.
-    On the aliasing that it weakens: Baum, Rushmeier & Winget, Improving Radiosity Solutions Through
-    the Use of Analytically Determined Form-Factors, SIGGRAPH 1989.
+    Each is turned about its normal, by the fraction of a quarter turn that its number times the
+    golden ratio leaves: otherwise the pixels of all would lie alike, often along the borders of
+    patches, and the errors there would add up. The same patches always get the same turns. In a
+    cube of 486 patches, at 64 x 64, this takes the error against exact factors from the centres
+    from 9.7 % to 5.3 % of their sum. On the aliasing that it weakens: Baum, Rushmeier & Winget,
+    Improving Radiosity Solutions Through the Use of Analytically Determined Form-Factors,
+    SIGGRAPH 1989.
     """
     chosen = np.asarray(chosen, dtype=np.int64)
     of = units(patches).of
@@ -190,8 +191,9 @@ def mended(item: NDArray[np.integer]) -> NDArray[np.integer]:
     """An item buffer (3N, N) without the single pixels that rounding has taken from silhouettes.
 
     Along a silhouette the front and the back of a solid end at the same edge, and a pixel whose
-    centre lies on it may get the back alone: 0, though only patches are around it. It goes to
-    its left neighbour. Without this one row of 2,376 in the box with two blocks sums to 1 - 3e-4.
+    centre lies on it may get the back alone: 0, though only patches are around it. It is given
+    what its left neighbour sees. Without this, one row of 2,376 in the box with two blocks sums to
+    1 - 3e-4.
     """
     row, column = np.nonzero(item == 0)
     if len(row) == 0:

@@ -1,8 +1,8 @@
 """Form factors by the Nusselt analogue: rays from a hemisphere around the centre of a patch.
 
-A direction spread as the cosine is a point of the base of the hemisphere, all of them alike: so
-the share of the rays that meet a patch is the share of the base that its projection covers,
-which is its form factor.
+Directions spread as the cosine are points spread evenly over the base of the hemisphere. So the
+share of the rays that meet a patch is the share of the base that its projection covers, which is
+its form factor.
 
 Source: Nusselt, Graphische Bestimmung des Winkelverhältnisses bei der Wärmestrahlung, VDI 72,
 1928; Malley, A Shading Method for Computer Generated Images, 1988, on the rays.
@@ -34,11 +34,11 @@ def hemisphere(
     """Rows F_ij from the centres of the chosen patches, (len(chosen), N).
 
     ``samples`` rays per patch, rounded up to a square number n: one in each of √n × √n cells of
-    the base. Only cells on the border of a projection count wrongly: with its perimeter P on the
-    unit disc, 1.3 P √(n/π) of them, each off by 1/(2n) at most, so that the standard error is
-    below √(P/5) n^(-3/4). Without the cells it would be √(F (1 − F)/n). Rays that meet
-    nothing, or a back, count for no patch. Without ``occlusion`` a ray counts for every patch
-    along it.
+    the base. Only cells on the border of a projection may count wrongly: with its perimeter P on
+    the unit disc, 1.3 P √(n/π) of them, each with a standard deviation of at most 1/(2n). So the
+    standard error is below √(P/5) n^(-3/4). Without the cells it would be √(F (1 − F)/n).
+    Rays that meet nothing, or a back, count for no patch. Without ``occlusion`` a ray counts for
+    every patch along it.
     """
     wanted = np.asarray(chosen, dtype=np.intp).reshape(-1)
     side = int(np.ceil(np.sqrt(samples)))
@@ -75,9 +75,9 @@ def base(normal: Array) -> tuple[Array, Array]:
 
 
 def stratified(patches: Ints, side: int) -> Array:
-    """Points of the unit disc, (k, side², 2), all areas alike: a random one in each cell.
+    """Points of the unit disc, (k, side², 2): a random one in each of side² cells of equal area.
 
-    Squares become parts of the disc without long and thin ones.
+    The map from square to disc makes no cell long and thin.
     Source: Shirley & Chiu, A Low Distortion Map Between Disk and Square, JGT 2(3), 1997.
     """
     row, column = np.divmod(np.arange(side * side), side)

@@ -1,9 +1,9 @@
 """The form factors F_ij of all patches, row by row, each computed when somebody asks for it.
 
 Row i says how the light that leaves patch i is shared out: F_ij of it arrives at patch j. The
-radiosity equation gathers along rows; shooting sends along them, since by reciprocity
-A_i F_ij = A_j F_ji a row is also a column. What the numbers are computed with, this file does not
-know: it is handed a function.
+radiosity equation gathers along rows; shooting sends along them too, since by reciprocity
+A_i F_ij = A_j F_ji a row is also a column. How the numbers are computed, this file does not know:
+it is handed a function.
 """
 
 from __future__ import annotations
@@ -38,9 +38,9 @@ class HasArea(Protocol):
 class FormFactors:
     """Rows of the matrix F, lazily, and the products that solvers need.
 
-    Rows are kept as they came, in ``dtype``, the first ones first, until ``most_bytes`` are
-    full; the rest is computed again whenever it is needed. The rows a solver needs first are
-    those of the brightest patches, which it will need again. All products are summed in float64.
+    Rows are kept as they came, in ``dtype``, until ``most_bytes`` are full; later ones are
+    computed again whenever they are needed. The rows a solver asks for first are those of the
+    brightest patches, which it will need again. All products are summed in float64.
 
     Correction: if ``normalise`` is set and the scene is closed, every row is divided by its sum,
     so that no light is lost or made; a row that sums to less than `MOSTLY_COVERED` (a
@@ -84,7 +84,7 @@ class FormFactors:
         self._patch = np.empty(capacity, np.int64)  # whose row is in a slot
         self._count = 0
         self._sum = np.full(size, np.nan)
-        self.calls = 0  # how many rows have been computed, those twice that found no room
+        self.calls = 0  # how many rows have been computed; one that found no room counts every time
 
     def __len__(self) -> int:
         return len(self.area)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from playground.shading.floats import Array
 
-STRETCHED = 0.05  # a row that lacks more is short of patches it should see, not inexact
+STRETCHED = 0.05  # a row that lacks more misses patches it should see: that is no rounding
 PAIRED = 1024  # rows among which reciprocity is looked at, evenly chosen
 
 

@@ -9,8 +9,8 @@ A_i F_ij = A_j F_ji holds to the last rounding.
   among them: what two polygons exchange (`polygon_pair`), exact also with a common edge.
 - Where something may stand in between, the result is weakened by the share of segments that
   arrive, each weighed as the integral weighs it (as in `shading.shadow`). Four that start and
-  end near the corners tell whether all, none or some do; for some, r² are sent through the whole
-  of both patches, spread over all four numbers that say where a segment starts and ends.
+  end near the corners tell whether all, none or some do. If some, r² more are sent all over both
+  patches, spread over the four numbers that say where a segment starts and ends.
 - Places on a patch are counted from a corner that does not depend on the order of its corners.
 
 On the GPU, shaders/radiosity/pairs.frag does the same for far pairs.
@@ -37,14 +37,14 @@ Ints = NDArray[np.intp]
 Bools = NDArray[np.bool_]
 Side = tuple[Array, Array]  # corners (P, 4, 3) and unit normals (P, 3)
 
-# Patches that touch are within 1. From here on 3 × 3 points are off by at most 1e-4 of the factor
-# between walls, by 5e-4 in a fold of 17°, 2 × 2 points by 5e-3 and 2e-2; the error falls as
-# distance^-6 and ^-4.
+# Patches that touch are within 1. From here on, between equal squares, 3 × 3 points are off by at
+# most 3e-4 of the factor at a right angle and 2e-3 in a fold of 17°, 2 × 2 points by 1e-2 and
+# 4e-2; the error falls as distance^-6 and ^-4.
 NEAR = 1.25
 BATCH = 20_000  # pairs at a time: some 30 MB
 MANY = 4000  # patches
 LOOKS = 2  # per side, squared: the segments that tell whether more are needed
-INSET = 0.1  # of a side: how far from the edge they end; nearer, they find few more half-shadows
+INSET = 0.1  # of a side: how far from the edge they end; less would find few more half-shadows
 
 
 def exchange(
@@ -66,11 +66,11 @@ def exchange(
 
 
 def enough_rays(patches: int) -> int:
-    """Segments per side for a scene of so many patches: the smaller, the fewer are in half-shadow.
+    """Segments per side for so many patches: the smaller they are, the fewer lie in half-shadow.
 
-    The matrix of the Cornell box is off by 0.19 % with 5 at 2,400 patches; with 3 by 0.32 % at
-    5,000 and 0.28 % at 10,000, in 0.86 of the time (the sum of all errors beside that of all
-    factors, against 13).
+    With 5 the matrix of the Cornell box is off by 0.19 % at 2,400 patches; with 3 by 0.32 % at
+    5,000 and 0.28 % at 10,000, in 0.86 of the time (the sum of all errors over that of all factors,
+    compared with 13).
     """
     return 5 if patches <= MANY else 3
 
@@ -143,9 +143,9 @@ def looks() -> Array:
 def segments(rays: int) -> Array:
     """Where segments start and end, (rays², 4): (s, t) on the one patch and on the other.
 
-    If ``rays`` is a prime number above 2, any two of the four numbers take each pair of ``rays``
-    values once: an orthogonal array (Rao 1947; Owen, Orthogonal Arrays for Computer Experiments,
-    Integration and Visualization, 1992). The multipliers grow with it, so that
+    If ``rays`` is a prime number above 2, any two of the four numbers take every pair of their
+    ``rays`` values just once: an orthogonal array (Rao 1947; Owen, Orthogonal Arrays for Computer
+    Experiments, Integration and Visualization, 1992). The multipliers grow with ``rays``, so that
     many segments fill all four dimensions.
     """
     a, b = np.divmod(np.arange(rays * rays), rays)

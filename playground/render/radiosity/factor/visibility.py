@@ -2,8 +2,8 @@
 
 Segments between points on patches are held against the undivided parents of the patches:
 few triangles. No segment meets the surface on which it ends, nor a coplanar neighbour of it,
-because its ends are lifted off their planes, to the front, by more than the error of any test
-(`lift_of`), which is far less than anything one could see.
+because its ends are lifted off their planes, to the front, by more than the error of any test,
+yet by far less than one could see (`lift_of`).
 """
 
 from __future__ import annotations
@@ -75,8 +75,8 @@ def between(patches: Patches) -> Between:
 def lift_of(patches: Patches) -> float:
     """How far the ends of segments are lifted off their planes.
 
-    The rounding of the tests, and by how much quads that were made of two triangles, with
-    coordinates in float32, are bent.
+    The rounding of the tests, and how far quads made of two triangles with float32 coordinates
+    are bent.
     """
     return LIFT * UNIT * size_of(patches) + 2.0 * bend_of(patches)
 
@@ -113,11 +113,11 @@ def halves(polygons: Array) -> tuple[Array, Ints]:
 
 
 def can_hide(patches: Patches) -> Bools:
-    """Which parents have others on both sides of their plane, (M,): only they can hide anything.
+    """Which parents have others on both sides of their plane, (M,): only these can hide anything.
 
-    The walls of a room with nothing outside stand in no way: no ray is tested against them.
+    The walls of a room with nothing outside are in nobody's way: no ray is tested against them.
     Coordinates of meshes are float32: what lies behind a plane by no more than their rounding
-    lies on it, as a block does that was put onto a floor.
+    counts as on it, such as a block put onto a floor.
     """
     corners = patches.parents.corners
     normal = parent_normals(patches)

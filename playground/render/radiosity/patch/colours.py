@@ -81,8 +81,8 @@ def _mean_texels(texels: NDArray[np.float32], texcoords: Array, polygon: Array) 
     """The mean of a texture over each patch, (N, 3).
 
     Points of an even grid over the two parameters of the patch, weighed by the area around them;
-    a triangle is a quad that ends in a point. At most one texel apart, unless that makes more
-    than `MOST_SAMPLES`.
+    a triangle is a quad that ends in a point. They are at most one texel apart, unless that makes
+    more than `MOST_SAMPLES`.
     """
     height, width = texels.shape[:2]
     extent = np.ptp(texcoords * (width, height), axis=1).max(initial=1.0)

@@ -12,8 +12,8 @@ from playground.shading.floats import Array
 
 Integers = NDArray[np.int64]
 
-# Points of one scene closer than this share of its extent are one place: float32 coordinates
-# that were placed in two ways differ by a tenth of it.
+# Points closer than this share of the scene's extent are one place: float32 coordinates of one
+# point, computed in two ways, differ by a tenth of it.
 SAME_PLACE = 1e-6
 
 
@@ -37,7 +37,7 @@ class Edges:
         return np.sort(first[many == 1])
 
     def twins(self) -> tuple[Integers, Integers]:
-        """Pairs of edges that join the same two points, which no third one does."""
+        """Pairs of edges that join the same two points, where no third edge does."""
         _, number, many = np.unique(self.key, return_inverse=True, return_counts=True)
         order = np.argsort(number, kind="stable")
         pair = order[many[number[order]] == 2]

@@ -9,7 +9,7 @@ from pathlib import Path
 from playground.errors import PlaygroundError
 
 BYTES = 8  # of a form factor
-# Where Linux says how much memory a container may have: as of today, and before
+# Where Linux says how much memory a container may have: cgroups of version 2, and of version 1
 LIMITS = ("/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes")
 
 

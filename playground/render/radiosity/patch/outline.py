@@ -24,7 +24,7 @@ Integers = NDArray[np.int64]
 SAME = 1e-5
 # A triangle thinner than this beside its longest edge has no area to speak of.
 SLIVER = 1e-9
-FARTHEST = 1e30  # beyond this an area squared overflows, as with every knob
+FARTHEST = 1e30  # the largest coordinate, as of every knob: squares of areas stay finite
 SINGLE = float(np.finfo(np.float32).eps)
 
 

@@ -8,14 +8,14 @@ from numpy.typing import NDArray
 from playground.render.radiosity.patch.outline import Outline
 
 Integers = NDArray[np.int64]
-LARGE = 4.0  # times the middle edge: what is longer is large beside the pieces of a fine mesh
+LARGE = 4.0  # times the median edge: what is longer is large beside the pieces of a fine mesh
 
 
 class Parts:
     """The edges of an outline in classes that must be cut alike.
 
     Opposite edges of a quad are cut into as many parts as each other, and so are the three of a
-    triangle and the edges at which pieces of one object meet. All that hang together so are one
+    triangle and the edges at which pieces of one object meet. All edges linked in this way are one
     class, and what is cut class by class has no corner in the middle of an edge (Baum, Mann,
     Smith, Winget, "Making Radiosity Usable", SIGGRAPH 1991, on why none may be there).
     """

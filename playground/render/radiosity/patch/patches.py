@@ -15,7 +15,7 @@ from playground.shading.floats import Array
 from playground.shading.vector import cross
 
 Ints = NDArray[np.int32]
-# No edge of anything that is built by hand runs across it. Roberts 2018: the numbers fill a cube.
+# No edge of anything built by hand is at a right angle to it. Roberts 2018: multiples fill a cube.
 SLANTED = np.array([0.8191725133961645, 0.6710436067037893, 0.5497004779019703])
 
 

@@ -23,8 +23,8 @@ BENT = 1e-3
 def quads(places: Array, faces: Integers, rounding: float) -> Integers:
     """Triangles and flat convex quads, (M, 4), of triangles (F, 3); a triangle repeats its last.
 
-    Two triangles that share an edge and lie in one plane are one quad. Those that follow each
-    other as the halves of a polygon do go together first, then those that form the best
+    Two triangles that share an edge and lie in one plane may become one quad. Those that follow
+    each other as the halves of a polygon do are joined first, then those that form the best
     rectangle; so the same mesh always gives the same quads, in the order of their first triangles.
 
     Parameters

@@ -13,8 +13,8 @@ from playground.shading.floats import Array
 Integers = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
-# How a cell is cut whose edges have points in their middle: by which edges do (bit k for the
-# edge from corner k), up to turning it. Corners are 0 to 3, the middle of edge k is 4 + k.
+# How a cell is cut, by which of its edges have a point in the middle (bit k for the edge from
+# corner k), up to turning it. Corners are 0 to 3, the middle of edge k is 4 + k.
 QUAD_SEAMS = {
     0b0001: ((0, 4, 3, 3), (4, 1, 2, 2), (4, 2, 3, 3)),
     0b0011: ((4, 1, 5, 5), (0, 4, 3, 3), (5, 2, 3, 3), (4, 5, 3, 3)),
@@ -107,8 +107,8 @@ class Mesh:
 def balanced(mesh: Mesh, asked: Flags) -> Flags:
     """Which cells are to be divided so that those asked for can be.
 
-    All edges of which would have a point in the middle, and those that have a smaller neighbour
-    which would be divided itself.
+    Added are cells of which all edges would have a point in the middle, and those with a smaller
+    neighbour that would be divided itself.
     """
     place, middle = mesh.places()
     after = np.roll(place, -1, axis=1)

@@ -43,8 +43,8 @@ class Exchange:
             ratio = np.divide(wanted, power, out=np.ones_like(power), where=some)
             if np.max(np.abs(ratio - 1.0)) <= BALANCED:
                 break
-            # The half power would settle in a room at once, and is slow everywhere else; of
-            # ratio^e the error of mode λ of F shrinks by 1 − e (1 + λ), and λ is 1 or small.
+            # ratio^e multiplies the error of mode λ of F by 1 − e (1 + λ), and λ is 1 or small:
+            # e = 1/2 would settle the first at once but only halve the others; 2/3 leaves a third.
             self._scale *= ratio ** (2.0 / 3.0)
             power = self(np.ones_like(power))
         return power

@@ -22,7 +22,7 @@ from playground.shading.floats import Array
 SHOTS_PER_STEP = 32
 NEARLY = 0.25  # who has less to give than this part of the brightest does not shoot with it
 LEAST_LOST = 1e-6  # of a flight; less makes the estimate no better, and 0 would divide by it
-OVERSHOTS = 8  # how often a patch may send what it does not have; then it only settles
+OVERSHOTS = 8  # how often a patch may send more than it has; then it only settles
 
 
 def progressive(
@@ -44,9 +44,9 @@ def progressive(
         brightest those with at least `NEARLY` as much. 1 is the method as published.
     ambient : bool
         Whether `Step.light` has the ambient estimate added, rho times what would arrive if all
-        unshot light went round evenly; it vanishes as the unshot light does. Of the light that
-        goes round, the share that has met a patch so far stays in the scene, a closed one
-        keeps all of it: with that the published estimate does not overdo open scenes.
+        unshot light went round evenly; it vanishes as the unshot light does. Unlike the published
+        estimate it does not overdo open scenes: in each round only the share stays that has met a
+        patch so far, all of it in a closed scene.
     """
     return _Shooting(system, "progressive", shots_per_step).steps(convergence, start, ambient)
 
@@ -60,7 +60,7 @@ def southwell(
 ) -> Iterator[Step]:
     """The patch with the largest residual U shoots, the brightest rather than the strongest.
 
-    The equation with the largest error is solved, as Southwell relaxed frameworks in 1940. Large
+    It solves the equation with the largest error, as Southwell did for frameworks in 1940. Large
     dim patches wait longer than in `progressive`. Arguments as there.
     """
     return _Shooting(system, "southwell", shots_per_step).steps(convergence, start, False)

@@ -41,7 +41,7 @@ class System:
     Raises
     ------
     PlaygroundError
-        A shape is wrong, a number is none or out of its range, there is no light at all.
+        A shape is wrong, a number is NaN or out of its range, or there is no light at all.
     """
 
     form_factors: FormFactors
@@ -142,10 +142,10 @@ class Working:
     def error_bound(self, unshot: Array, light: Array, largest: float) -> float:
         """An upper bound on Σ A |C − light| / Σ A light, of the worst channel.
 
-        Unshot light u makes Σ (rho F)^k u more, k from 1, and each reflection leaves at most
-        s = max rho · ``largest`` of it, the largest sum of a row (of senders) or column (of
-        receivers) of F: at most s / (1 − s) Σ A |u| in all. Infinite if s >= 1, where this
-        argument proves nothing. A wall of white in a room of grey makes it pessimistic.
+        Unshot light u adds Σ (rho F)^k u, k from 1. Each reflection leaves at most the share
+        s = max rho · ``largest`` of it, where ``largest`` is the largest share of a patch's light
+        that arrives anywhere; so it adds at most s / (1 − s) Σ A |u|. Infinite if s >= 1, where
+        this proves nothing. One white wall in a grey room makes the bound pessimistic.
         """
         worst = 0.0
         for rho, left, all_of_it in zip(

@@ -13,16 +13,16 @@ from playground.render.radiosity.solver.system import Step, System, narrow, noth
 from playground.shading.floats import Array
 
 NO_BETTER = 20  # iterations without a new best end the search; rooms take about 8 in all
-ROUNDING = 1e-8  # a residual that has shrunk this far may have a direction of rounding alone
-SINGULAR = 0.01  # a share of light left by elimination that tells of equations without solution
-SMALLEST = 1e-14  # eigenvalue, where 1 − rho is one: below it is rounding
+ROUNDING = 1e-8  # once a residual has shrunk this far, its direction may be rounding alone
+SINGULAR = 0.01  # share of light left by elimination; more means equations without a solution
+SMALLEST = 1e-14  # eigenvalue (one is about 1 − rho): below it is rounding
 NEGATIVE = 1e-9  # light below zero, in units of the brightest, that rounding does not explain
 
 
 def conjugate_gradients(
     system: System, convergence: float, start: Step | None = None
 ) -> Iterator[Step]:
-    """Conjugate gradients on (D/rho − D F) C = D E / rho, where D are the areas: symmetric.
+    """Conjugate gradients on A (1/rho − F) C = A (E/rho + D), with areas A: symmetric.
 
     With C = E + w u and w = √(rho/A) it reads (1 − w K w) u = b, which allows rho = 0 and has
     eigenvalues around 1 but for one of about 1 − rho: a few iterations at any reflectance.
