@@ -20,7 +20,7 @@ from playground.measure.candidates import ONLY, Candidate, candidates_of, withou
 from playground.measure.paired import Cost, Stopwatch, paired
 from playground.render.checks import check_setup
 from playground.render.image import Image
-from playground.render.renderer import Renderer, open_renderer
+from playground.render.renderer import STORED, Renderer, open_renderer
 from playground.scene.setup import Setup
 from playground.steps import finished, retold
 
@@ -217,5 +217,11 @@ def _check(setup: Setup, budget: object, metric: str, method: str) -> None:
         )
     if metric not in METRICS:
         raise unknown_name("metric", metric, METRICS)
+    if method in STORED:
+        raise PlaygroundError(
+            "the advisor measures what is drawn anew for every picture, not stored light",
+            got=method,
+            allowed=", ".join(ONLY),
+        )
     if method not in ONLY:
         raise unknown_name("method", method, ONLY)

@@ -110,6 +110,7 @@ BAD = {
     "budget text": (("sphere", "--budget", "much"), "'much' is no error budget"),
     "metric": (("sphere", "--metric", "ssim"), "flip, max, rmse"),
     "renderer": (("sphere", "--renderer", "cuda"), "auto, embree, gl, numpy"),
+    "stored light": (("sphere", "--method", "radiosity"), "drawn anew for every picture"),
     "kind of file": (("sphere", "-o", "a.png"), ".toml"),
     "no folder": (("sphere", "-o", "none/a.toml"), "Make the folder none"),
 }

@@ -10,6 +10,7 @@ from playground.gui import actions
 from playground.gui.measure import needs_log, needs_run
 from playground.gui.measure.needs_log import NOTHING, applied, asked, dropped, switched, walked_away
 from playground.gui.measure.needs_run import NeedsRun
+from playground.gui.panels import needs as needs_panel
 from playground.gui.state import start
 from playground.measure import advisor
 from playground.measure.advisor import advise
@@ -155,6 +156,18 @@ def test_the_window_measures_and_applies_the_proposal(panel):
     panel.window.state = actions.redo(panel.state)
     click(panel, "Restore all")
     assert panel.state.setup == before
+
+
+@pytest.mark.gl
+@pytest.mark.parametrize("method", ["radiosity", "lightmap"])
+def test_stored_light_is_said_not_to_be_measured(panel, method, monkeypatch):
+    said = []
+    monkeypatch.setattr(needs_panel.plots, "wrapped", lambda text, *_: said.append(text))
+    panel.frames(1)
+    assert not said
+    panel.window.state = replace(panel.state, method=method)
+    panel.frames(1)
+    assert f"measured as rasterised, not by {method}" in said
 
 
 @pytest.mark.gl

@@ -11,7 +11,7 @@ from playground.gui.measure import needs_log
 from playground.gui.measure.needs_log import Dropped
 from playground.gui.measure.needs_run import SIZE
 from playground.gui.measure.scope_path import shaders
-from playground.gui.state import State
+from playground.gui.state import STORED, State
 from playground.gui.widget import plots
 from playground.gui.widget.theme import PALETTES
 from playground.gui.widgets import Ui, edit
@@ -62,6 +62,8 @@ def _measuring(state: State) -> State:
         f"draws the picture at {width}×{height} without each of its parts, some seconds long;\n"
         "the window goes on meanwhile"
     )
+    if state.method in STORED:
+        plots.wrapped(f"measured as rasterised, not by {state.method}", PALETTES[state.theme].faint)
     if shaders(state):
         plots.wrapped("the edited shaders do not take part", PALETTES[state.theme].faint)
     return state
