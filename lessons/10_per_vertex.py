@@ -224,7 +224,8 @@ show(floor, beside="per-fragment", pixel=(float(x + 0.5) / SIZE[0], float(y + 0.
 # %% [markdown] tags=["notes"]
 # The lecture: the colours at the vertices are *evenly* interpolated along the edges and then along
 # the scan lines, so highlights inside a triangle cannot be caught. In the window the arrows
-# $n$, $l$, $r$ and $v$ stand at the three corners.
+# $n$, $l$, $r$ and $v$ stand at the three corners, and the panel *Explain* draws the triangle
+# enlarged: as its corners are mixed, as it is at every point, and the difference.
 
 # %% [markdown] slides=[13] minutes=2
 # ## The smeared highlight

@@ -80,7 +80,7 @@ class Explanation:
     ``corners`` are the points at which the model was evaluated, and ``weights`` how
     they mix: one point with weight 1 for per-fragment and flat shading, the three
     vertices with their barycentric weights for per-vertex shading. ``light`` is the area light
-    whose own face the pixel sees, in place of an object.
+    whose own face the pixel sees, in place of an object; ``front`` is which side it sees.
     """
 
     setup: Setup
@@ -96,6 +96,7 @@ class Explanation:
     shininess: float = 0.0
     needs: str = ""
     light: int | None = None
+    front: bool = True
 
     def text(self) -> str:
         """The explanation for a terminal."""
@@ -169,6 +170,7 @@ def explain(
         corners=corners,
         shininess=surface.shininess,
         needs=needs(surface, view, settings).describe(),
+        front=front,
     )
 
 

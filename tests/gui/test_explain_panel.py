@@ -5,11 +5,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from playground.explain.colour_map import colour_of
 from playground.explain.pixel import explain
 from playground.gui.picture.comparison import Picture
 from playground.gui.pixel.clue import Clue
 from playground.gui.pixel.explained import Explainer, chosen_corner, pixel_at
 from playground.scene.library import load
+from playground.shading.display import code8
 
 imgui = pytest.importorskip("imgui_bundle").imgui
 
@@ -18,6 +20,7 @@ from playground.gui.pixel import (  # noqa: E402
     filter_bars,
     lobe_plot,
     side_view,
+    triangle_lens,
     triangle_mark,
 )
 from playground.gui.pixel import vector_pen as pen  # noqa: E402
@@ -89,7 +92,7 @@ def test_the_side_view_stands_where_all_directions_are_one():
 
 
 def test_small_triangles_fill_the_large_one():
-    made = triangle_mark.pieces(5)
+    made = triangle_lens.pieces(5)
     assert len(made) == 25
     for weights in made:
         np.testing.assert_allclose(weights.sum(axis=1), 1.0)
@@ -269,3 +272,37 @@ def test_the_background_is_explained_too(hands):
     hands.click(30, 60)
     hands.frames(3)
     assert hands.state.pixel is not None and not hands.state.failed
+
+
+MISSED = (375, 305), (890, 651)  # the pixel in the highlight of the coarse pot, and the picture
+
+
+def coarse(shading):
+    return load("teapot").with_(shading=shading, tessellation=4)
+
+
+def test_the_lens_shows_what_the_vertices_miss():
+    why = explain(coarse("per-vertex"), *MISSED)
+    mix = triangle_lens.middles()
+    corners = np.array([corner.colour for corner in why.corners])
+    told = triangle_mark.shown_codes(why, mix @ corners)
+    assert triangle_lens.mixed_inks(why) == tuple(pen.ink(code) for code in told.tolist())
+    inks = triangle_lens.difference_inks(why)
+    assert triangle_lens.largest(why) > 0.3  # the highlight lies between the vertices
+    assert pen.ink(tuple(code8(colour_of(1.0)).tolist())) in inks  # yellow: the largest
+    assert len(inks) == len(triangle_lens.shaded_inks(why)) == len(mix)
+    fine = explain(load("teapot").with_(shading="per-vertex", tessellation=64), *MISSED)
+    assert triangle_lens.largest(fine) < 0.05
+
+
+@pytest.mark.gl
+@pytest.mark.parametrize("shading", ["flat", "per-vertex", "per-fragment"])
+def test_the_lens_is_there_where_triangles_are_not_shaded_at_every_point(hands, shading):
+    seen = []
+    draw = triangle_lens.compared
+    hands.load("teapot", shading=shading, tessellation=4)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(triangle_lens, "compared", lambda why: (seen.append(why), draw(why)))
+        hands.click(*POINT)
+        hands.frames(3)
+    assert bool(seen) == (shading != "per-fragment")

@@ -24,6 +24,7 @@ REMEMBERING = (  # modules of playground.gui that keep what they have said, meas
     "pixel.equation",
     "pixel.side_view",
     "pixel.triangle_mark",
+    "pixel.triangle_lens",
     "pixel.lobe_plot",
     "widget.typeset",
     "widget.theme",

@@ -11,7 +11,7 @@ from playground.explain.words import CORNERS
 from playground.gui.picture.comparison import pictures
 from playground.gui.picture.pixel_pick import forget
 from playground.gui.picture.stand import viewed
-from playground.gui.pixel import filter_bars, lobe_plot, rows, side_view, triangle_mark
+from playground.gui.pixel import filter_bars, lobe_plot, rows, side_view, triangle_lens
 from playground.gui.pixel.clue import Clue
 from playground.gui.pixel.equation import write
 from playground.gui.pixel.explained import chosen_corner, chosen_light, explained
@@ -98,11 +98,13 @@ def _vertices(why: Explanation, told: PointTold, corner: int, clue: Clue, scale:
     """The triangle, where the model is evaluated at its vertices or its centre."""
     mode = why.setup.settings.shading
     if mode == Shading.FLAT:
-        imgui.text_wrapped("Evaluated once, at the centre of the triangle.")
+        imgui.text_wrapped("Evaluated once, at the centre; to compare:")
+        triangle_lens.compared(why)
     if mode != Shading.PER_VERTEX or not told.vertices:
         return clue
     imgui.text_wrapped("Evaluated at the three vertices; their colours are mixed:")
-    triangle_mark.enlarged(why, scale)
+    triangle_lens.mixed(why, scale)
+    triangle_lens.compared(why)
     for i, (name, vertex) in enumerate(zip(CORNERS, told.vertices, strict=False)):
         rows.swatch(vertex, f"vertex {name}")
         imgui.same_line()

@@ -1,10 +1,9 @@
-"""The triangle that a pixel sees: its outline in the picture, and enlarged with its colours."""
+"""The triangle that a pixel sees: its outline in the picture, vertex colours and weights."""
 
 from __future__ import annotations
 
 from functools import lru_cache
 from math import hypot
-from operator import mul
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,7 +12,7 @@ from numpy.typing import NDArray
 
 from playground.explain.pixel import Explanation
 from playground.explain.words import CORNERS
-from playground.gui.pixel.vector_pen import Places, Point, Rect, ink
+from playground.gui.pixel.vector_pen import Point, Rect, ink
 from playground.render.surface import Surface
 from playground.shading.display import code8, display_colour
 
@@ -21,7 +20,6 @@ if TYPE_CHECKING:
     from playground.explain.stored_pixel import StoredPixel
 
 Array = NDArray[np.float64]
-ROWS = 9  # of small triangles in the enlarged one
 
 
 def shown_codes(why: Explanation | StoredPixel, colours: Array) -> NDArray[np.uint8]:
@@ -80,70 +78,6 @@ def outline(why: Explanation, places: list[Point], scale: float) -> list[Rect]:
 def vertex_inks(why: Explanation) -> tuple[int, ...]:
     """The colours of the three vertices as ImGui packs them; an explanation never changes."""
     return tuple(ink(code) for code in shown_codes(why, vertex_colours(why)).tolist())
-
-
-@lru_cache(maxsize=4)
-def piece_inks(why: Explanation) -> tuple[int, ...]:
-    """The colours of the small triangles, each mixed at its middle, as ImGui packs them."""
-    mixed = pieces(ROWS).mean(axis=1) @ vertex_colours(why)
-    return tuple(ink(code) for code in shown_codes(why, mixed).tolist())
-
-
-@lru_cache(maxsize=2)
-def piece_places(left: float, top: float, side: float, height: float) -> tuple[Places, ...]:
-    """The corners of the small triangles on the screen; as long as they stand there, once."""
-    places = (pieces(ROWS) @ np.array(_corners(left, top, side, height))).tolist()
-    return tuple([imgui.ImVec2(*place) for place in corners] for corners in places)
-
-
-def _corners(left: float, top: float, side: float, height: float) -> tuple[Point, Point, Point]:
-    """The corners of the enlarged triangle: below left, below right, above."""
-    return (left, top + height), (left + side, top + height), (left + side / 2, top)
-
-
-def enlarged(why: Explanation, scale: float) -> None:
-    """The triangle at the cursor, coloured as the rasteriser mixes it, the pixel marked in it."""
-    at, width = imgui.get_cursor_screen_pos(), imgui.get_content_region_avail().x
-    line = imgui.get_font_size()
-    side = min(9.5 * line, 0.7 * width)
-    height = 0.866 * side
-    if not imgui.is_rect_visible(imgui.ImVec2(width, height + 2.0 * line)):
-        imgui.dummy(imgui.ImVec2(width, height + 2.0 * line))
-        return
-    left, top = at.x + 0.5 * (width - side), at.y + 1.5 * line
-    paint = imgui.get_window_draw_list()
-    corners = _corners(left, top, side, height)
-    places = piece_places(left, top, side, height)
-    for (a, b, c), colour in zip(places, piece_inks(why), strict=True):
-        paint.add_triangle_filled(a, b, c, colour)
-    a, b, c = (imgui.ImVec2(*corner) for corner in corners)
-    paint.add_triangle(a, b, c, imgui.get_color_u32(imgui.Col_.text_disabled), 1.0)
-    mix = why.weights.tolist() if len(why.weights) == 3 else (1.0 / 3.0,) * 3
-    spot = imgui.ImVec2(*(sum(map(mul, mix, along)) for along in zip(*corners, strict=True)))
-    paint.add_circle(spot, 6.0 * scale, imgui.IM_COL32(0, 0, 0, 255), 0, 4.0 * scale)
-    paint.add_circle(spot, 6.0 * scale, imgui.IM_COL32(255, 255, 255, 255), 0, 2.0 * scale)
-    strong = imgui.get_color_u32(imgui.Col_.text)
-    if len(why.corners) == 3:
-        for i, (dx, dy) in enumerate(((-4.9, -0.6), (0.6, -0.6), (-1.6, -1.3))):
-            place = imgui.ImVec2(corners[i][0] + dx * line, corners[i][1] + dy * line)
-            paint.add_text(place, strong, f"{CORNERS[i]} × {mix[i]:.3f}")
-    imgui.dummy(imgui.ImVec2(width, height + 2.0 * line))
-
-
-@lru_cache(maxsize=1)
-def pieces(rows: int) -> Array:
-    """A triangle cut into ``rows``² small ones: weights (rows², 3, 3) of their corners."""
-
-    def weight(i: int, j: int) -> list[float]:
-        return [i / rows, j / rows, (rows - i - j) / rows]
-
-    made: list[list[list[float]]] = []
-    for i in range(rows):
-        for j in range(rows - i):
-            made.append([weight(i, j), weight(i + 1, j), weight(i, j + 1)])
-            if i + j < rows - 1:
-                made.append([weight(i + 1, j), weight(i + 1, j + 1), weight(i, j + 1)])
-    return np.array(made)
 
 
 def _tag(centre: Point, text: str) -> Rect:
