@@ -10,7 +10,16 @@ from playground.explain.pixel import explain
 from playground.gui.picture.canvas import segment
 from playground.gui.picture.comparison import pictures
 from playground.gui.picture.gizmo_math import seen
-from playground.gui.picture.stand import TURN, Stand, aside, standing, stepped, turned, viewed
+from playground.gui.picture.stand import (
+    TURN,
+    Stand,
+    aside,
+    standing,
+    stepped,
+    turned,
+    unhidden,
+    viewed,
+)
 from playground.gui.pixel.vector_pen import openness
 from playground.gui.state import start
 from playground.scene.library import load
@@ -199,3 +208,25 @@ class TestInTheWindow:
         hands.key("o")
         self.settled(hands)
         assert hands.state.setup == before and hands.state.stand is None
+
+
+def test_a_step_aside_in_a_room_stays_in_the_room():
+    setup = load("whitted-room")
+    corner, light = point_of(setup, (210, 230))  # on the mirror ball
+    camera = aside(setup.camera, corner.position, corner.normal, light.reflection)
+    hidden = explain(replace(setup, camera=camera), (1, 1), (3, 3)).corners[0]
+    assert hidden.position != pytest.approx(corner.position, abs=0.1)  # a wall
+    nearer = unhidden(setup, camera)
+    seen = explain(replace(setup, camera=nearer), (1, 1), (3, 3)).corners[0]
+    # The middle of the picture is the target, to the rounding of the view's float64 matrices.
+    assert seen.position == pytest.approx(tuple(corner.position), abs=1e-9)
+    before, after = (np.subtract(c.eye, corner.position) for c in (camera, nearer))
+    assert unit(before) @ unit(after) == pytest.approx(1.0, abs=1e-12)  # the same side
+    assert np.linalg.norm(after) < np.linalg.norm(before) and nearer.fov > camera.fov
+
+
+def test_where_nothing_hides_the_point_the_camera_stays():
+    setup = load("teapot")
+    corner, light = point_of(setup)
+    camera = aside(setup.camera, corner.position, corner.normal, light.reflection)
+    assert unhidden(setup, camera) is camera

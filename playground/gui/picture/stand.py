@@ -7,15 +7,17 @@ can see ρ. From the side v is an arrow, and ρ an angle.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import cos, radians, sin
+from math import atan, cos, degrees, radians, sin, tan
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from playground.explain.pixel import explain
 from playground.gui.picture.orbit import orbit, widened
 from playground.gui.widget.directions import LEAST
 from playground.scene.camera import Camera
+from playground.scene.setup import Setup
 
 if TYPE_CHECKING:
     from playground.gui.picture.comparison import Picture
@@ -23,6 +25,10 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 TURN = 55.0  # degrees: v and ρ are seen large, and the point is still seen from its front
+CLOSE = 0.2  # of the way to the eye: what hides the point from so near by is not walked past
+BEFORE = 0.9  # of the way to what hides the point is where the eye then stands
+WIDEST = 100.0  # degrees of view that are to show as much from there
+MIDDLE = ((1, 1), (3, 3))  # the pixel that sees the target, and the size of its picture
 
 
 @dataclass(frozen=True)
@@ -70,7 +76,7 @@ def turned(state: State, point: Array, normal: Array, reflection: Array | None) 
     """The state after the step aside around ``point`` (3,), which has become known."""
     there = state.stand
     assert there is not None
-    camera = aside(state.setup.camera, point, normal, reflection)
+    camera = unhidden(state.setup, aside(state.setup.camera, point, normal, reflection))
     state = state.with_setup(replace(state.setup, camera=camera))
     words = "from the side: v points to where you stood; the picture is the one seen from here"
     return replace(state, stand=replace(there, due=False)).say(words)
@@ -95,3 +101,21 @@ def aside(camera: Camera, point: Array, normal: Array, reflection: Array | None)
     eye_x, eye_y, eye_z = map(float, np.add(point, distance * towards))
     moved = replace(camera, eye=(eye_x, eye_y, eye_z), target=(x, y, z))
     return orbit(moved, 0.0, 0.0)  # never straight from above
+
+
+def unhidden(setup: Setup, camera: Camera) -> Camera:
+    """The camera where no wall stands between it and its target: nearer, with a wider view.
+
+    In a room, a step aside often leads behind a wall.
+    """
+    away = np.subtract(camera.eye, camera.target)
+    distance = float(np.linalg.norm(away))
+    corners = explain(replace(setup, camera=camera), *MIDDLE).corners
+    free = float(np.linalg.norm(corners[0].position - camera.target)) if corners else 0.0
+    if not CLOSE * distance < free < distance:
+        return camera
+    share = BEFORE * free / distance
+    x, y, z = map(float, camera.target + share * away)
+    half = atan(tan(radians(0.5 * camera.fov)) / share)
+    wide = max(min(2.0 * degrees(half), WIDEST), camera.fov)
+    return unhidden(setup, replace(camera, eye=(x, y, z), fov=wide))
