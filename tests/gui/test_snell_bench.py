@@ -1,11 +1,12 @@
 """The Snell bench: its numbers are those of optics, and its ray is dragged."""
 
 from dataclasses import replace
-from math import asin, atan, degrees, radians, sin
+from math import asin, atan, cos, degrees, radians, sin
 
 import numpy as np
 import pytest
 
+from playground.gui.rays import snell_bench
 from playground.gui.rays.snell import MEDIA, SNAP, Bench, angle_at, medium, shares
 from playground.shading import optics
 
@@ -77,3 +78,18 @@ def test_the_ray_of_the_bench_is_dragged_and_snaps(hands):
     hands.drag(start, end)
     assert hands.state.bench.angle == critical
     assert not hands.state.history.past  # it is no part of the setup
+
+
+@pytest.mark.parametrize("angle", [4.0, 12.0, 25.4, 33.0, 48.0, 70.0, 86.0])
+@pytest.mark.parametrize("normal", [0.0, 180.0])
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+def test_the_words_of_an_angle_lie_on_neither_of_its_sides(angle, normal, side):
+    wide, high = 0.6, 0.22  # about what "25.4 °" takes at its distance
+    ray = normal + side * angle
+    at = snell_bench.words_at(ray, normal, wide, high)
+    x, y = sin(radians(at)), cos(radians(at))
+    corners = [(x + 0.5 * a * wide, y + 0.5 * b * high) for a in (-1, 1) for b in (-1, 1)]
+    for way in (ray, normal):
+        across, along = cos(radians(way)), sin(radians(way))
+        sides = {np.sign(p * across - q * along) for p, q in corners}
+        assert len(sides) == 1 and sides != {0.0}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import pi, radians
+from math import asin, copysign, cos, degrees, pi, radians, sin
 
 from imgui_bundle import imgui
 
@@ -120,13 +120,15 @@ def _rays(bench: Bench, centre: imgui.ImVec2, length: float, scale: float) -> No
     _ray(start, centre, PRIMARY, 1.0, scale)
     _ray(centre, imgui.ImVec2(centre.x + across, centre.y - up), kind, share, scale)
     _arc(centre, -bench.angle, 0.0, 0.42 * length, f"{bench.angle:.1f}°")
-    _arc(centre, 0.0, bench.angle, 0.42 * length, f"{bench.angle:.1f}°")
+    _arc(centre, bench.angle, 0.0, 0.42 * length, f"{bench.angle:.1f}°")
     if refracted is not None:
         across, down = ends(refracted, length)
         end = imgui.ImVec2(centre.x + across, centre.y + down)
         _ray(centre, end, REFRACTION, 1.0 - share, scale)
         _arc(centre, 180.0 - refracted, 180.0, 0.42 * length, f"{refracted:.1f}°")
-    imgui.get_window_draw_list().add_circle_filled(start, 5.0 * scale, ink(PRIMARY))
+    paint = imgui.get_window_draw_list()
+    paint.add_circle_filled(start, 5.0 * scale, ink(PRIMARY))
+    paint.add_circle(start, 5.0 * scale, imgui.IM_COL32(0, 0, 0, 150), 0, 1.0 * scale)
 
 
 def _ray(a: imgui.ImVec2, b: imgui.ImVec2, kind: str, share: float, scale: float) -> None:
@@ -161,15 +163,29 @@ def _critical(angle: float, centre: imgui.ImVec2, length: float) -> None:
     paint.add_text(imgui.ImVec2(at.x - 1.6 * half, at.y - imgui.get_font_size()), faint, "critical")
 
 
-def _arc(centre: imgui.ImVec2, low: float, high: float, radius: float, words: str) -> None:
-    """An angle from ``low`` to ``high`` degrees, counted from straight up to the right."""
+def _arc(centre: imgui.ImVec2, ray: float, normal: float, radius: float, words: str) -> None:
+    """The angle between a ray and the normal; both in degrees from straight up to the right."""
     paint, strong = imgui.get_window_draw_list(), imgui.get_color_u32(imgui.Col_.text)
+    low, high = min(ray, normal), max(ray, normal)
     if high - low < 3.0:
         return
     paint.path_arc_to(centre, radius, radians(low) - 0.5 * pi, radians(high) - 0.5 * pi, 24)
     paint.path_stroke(strong, 1.2)
-    across, up = ends(0.5 * (low + high), radius)
     size, line = imgui.calc_text_size(words), imgui.get_font_size()
-    far = 1.0 + (0.55 * line + 0.25 * size.x) / radius
-    at = imgui.ImVec2(centre.x + far * across - 0.5 * size.x, centre.y - far * up - 0.5 * line)
+    far = radius + 0.55 * line + 0.25 * size.x
+    across, up = ends(words_at(ray, normal, size.x / far, line / far), far)
+    at = imgui.ImVec2(centre.x + across - 0.5 * size.x, centre.y - up - 0.5 * line)
     paint.add_text(at, strong, words)
+
+
+def words_at(ray: float, normal: float, wide: float, high: float) -> float:
+    """Where the words of an angle stand, in degrees: in its middle, or else beyond the ray.
+
+    ``wide`` and ``high`` are the size of the words in units of their distance from the corner.
+    """
+    half = radians(0.5 * abs(ray - normal))
+    across = wide * abs(cos(2.0 * half)) + high * abs(sin(2.0 * half))  # seen along the ray
+    if sin(half) > 0.5 * max(wide, across):
+        return 0.5 * (ray + normal)
+    aside = degrees(asin(min(0.5 * wide + 0.7 * high, 1.0)))  # and the ray and its head are thick
+    return ray + copysign(aside, ray - normal)
