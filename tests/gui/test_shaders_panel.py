@@ -79,6 +79,8 @@ def test_edits_outlive_a_broken_include_and_are_never_in_the_setup(hands):
     assert hands.state.setup is setup
     with_text(hands, "phong.frag", '#include "phong.frag"\n')
     assert "includes itself" in hands.state.shader_error
+    with_text(hands, "phong.frag", '#include "shade.glsl" oops;\n')
+    assert hands.state.shader_error.startswith("shaders/phong.frag:1: an include is")
 
 
 def test_shaders_that_compile_but_cannot_be_fed_give_way_too(hands):

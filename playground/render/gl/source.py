@@ -23,6 +23,7 @@ from playground import locate
 
 VERSION = "#version 330 core"
 _INCLUDE = re.compile(r'^\s*#include\s+"([^"]+)"\s*$')
+_HALF_INCLUDE = re.compile(r"^\s*#\s*include\b")
 # "0:12(5): error: ..." (Mesa), "0(12) : error C1008: ..." (NVIDIA), "ERROR: 0:12: ..." (others)
 _ERROR = re.compile(r"(?:ERROR:\s*)?\d+(?::(\d+)(?:\(\d+\))?|\((\d+)\))\s*:\s*(.+)")
 
@@ -120,6 +121,9 @@ def _expand(
     for number, line in enumerate(text, 1):
         found = _INCLUDE.match(line)
         if not found:
+            if _HALF_INCLUDE.match(line):  # moderngl would try, and not say where it stands
+                words = 'an include is #include "FILE" with nothing behind it'
+                raise ValueError(f"shaders/{name}:{number}: {words}")
             emit(line, number)
             continue
         wanted = found.group(1)
