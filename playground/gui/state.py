@@ -60,7 +60,7 @@ class State(Declared):
 
     ``loaded`` is what reset goes back to, ``file`` where save writes. ``solo`` is the
     number of the light that shines alone. ``wish`` asks the window for what only it can
-    do after this frame: ``"picture"`` or ``"quit"``.
+    do after this frame: ``"picture"``, ``"command"``, ``"full screen"`` or ``"quit"``.
     """
 
     label = "window"
@@ -185,6 +185,7 @@ class State(Declared):
             playing=False,
             sheet="",
             reading=None,
+            guess=Guess(series=self.guess.series),  # no hidden mistake in what is opened next
         ).unpicked()
 
     def unpicked(self) -> State:

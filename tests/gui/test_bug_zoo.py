@@ -82,6 +82,12 @@ def test_a_right_guess_counts_and_giving_up_tells():
     assert pictures(state, 400, 300)[0].setup.settings.bugs == ()
 
 
+def test_what_is_opened_next_has_no_hidden_mistake():
+    state = playing(5).opened(load("sphere"))
+    assert state.guess == guess.Guess(series=5)
+    assert pictures(state, 400, 300)[0].setup.settings.bugs == ()
+
+
 def test_a_shader_error_does_not_tell_either():
     state = playing()
     error = f"shaders/shade.glsl: bug '{guess.answer(state.guess)}' does not find 'x'"
@@ -174,3 +180,18 @@ def open_panel(hands, deed):
         deed(context)
 
     hands.do(script)
+
+
+@pytest.mark.gl
+@pytest.mark.parametrize("deed", ["Guess the bug", "missing-max/max(0, ·) forgotten"])
+def test_what_makes_no_mistakes_gives_way_to_the_rasteriser(hands, deed):
+    hands.load("stretched")
+    hands.window.state = replace(hands.state, method="ray-tracing", first="reference")
+    open_panel(hands, lambda c: c.item_click(f"{PANEL}/{deed}"))
+    state = hands.state
+    assert state.guess.number or state.setup.settings.bugs == ("missing-max",)
+    assert (state.method, state.first) == ("raster", "as chosen")
+    before = hands.pixels()
+    hands.key("z", "ctrl")
+    assert hands.state.method == "ray-tracing" and hands.state.setup.name == "stretched"
+    assert rmse(before, hands.pixels()) > 0.0

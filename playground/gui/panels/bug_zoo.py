@@ -9,7 +9,7 @@ from functools import lru_cache
 from imgui_bundle import imgui
 
 from playground.gui import guess
-from playground.gui.state import State
+from playground.gui.state import CHOSEN, RASTER, State
 from playground.gui.widget import theme
 from playground.gui.widget.plots import wrapped
 from playground.gui.widgets import Ui, attempt, bare
@@ -24,6 +24,7 @@ NEW: dict[str, Rgb] = {"dark": (0.52, 0.85, 0.56), "light": (0.05, 0.42, 0.14)}
 
 def draw(state: State, ui: Ui) -> State:
     """The game if it is on, else the switches and the way into it."""
+    _drawn_right(state)
     if state.guess.number:
         return _game(state)
     state = _invitation(state, ui)
@@ -43,7 +44,7 @@ def draw(state: State, ui: Ui) -> State:
 
 def _invitation(state: State, ui: Ui) -> State:
     if imgui.button("Guess the bug"):
-        return guess.begin(state)
+        return guess.begin(_rasterised(state))
     imgui.set_item_tooltip("one of the mistakes is on, and you say which")
     knob = knobs(guess.Guess)["series"]
     imgui.same_line()
@@ -68,7 +69,7 @@ def _bug(state: State, bug: Bug, ui: Ui) -> State:
     imgui.same_line(imgui.get_cursor_pos_x() + imgui.get_content_region_avail().x - wide)
     if imgui.small_button("Show me"):
         shown = guess.show(state.setup, bug.name)
-        state = state.opened(shown).say(f"{bug.title}: {bug.breaks}")
+        state = _rasterised(state).opened(shown).say(f"{bug.title}: {bug.breaks}")
     imgui.set_item_tooltip(f"opens the setup '{bug.look}' with this mistake on; Ctrl+Z comes back")
     indent = imgui.get_frame_height() + imgui.get_style().item_inner_spacing.x
     imgui.indent(indent)
@@ -84,7 +85,20 @@ def _bug(state: State, bug: Bug, ui: Ui) -> State:
 
 def _with_bugs(state: State, bugs: tuple[str, ...], ui: Ui) -> State:
     settings = attempt(ui, state.setup.settings, "bugs", bugs)
-    return state.with_setup(replace(state.setup, settings=settings))
+    state = state.with_setup(replace(state.setup, settings=settings))
+    return _rasterised(state) if bugs else state
+
+
+def _rasterised(state: State) -> State:
+    """The state whose first picture the rasteriser makes: only its shaders have the mistakes."""
+    return replace(state, method=RASTER, first=CHOSEN)
+
+
+def _drawn_right(state: State) -> None:
+    """A word where a mistake is on and the chosen method makes none."""
+    if state.method != RASTER and (state.guess.number or state.setup.settings.bugs):
+        words = f"The mistakes are in the shaders of the rasteriser; {state.method} makes none."
+        wrapped(words, GONE[state.theme])
 
 
 def _peek(state: State) -> State:
