@@ -42,7 +42,7 @@ def draw(state: State, slots: Slots, scale: float) -> tuple[State, bool]:
     for picture, texture in zip(layers.captioned(shown, slots), textures, strict=True):
         _place(picture, texture.glo, origin, dense, scale)
     layers.draw(state, shown, origin, dense, scale)
-    stored_words.draw(shown, slots.stored, origin, dense)
+    stored_words.draw(shown, slots.stored, origin, dense, state.bake.running)
     if state.layout == "difference":
         state = difference_view.legend(state, slots, origin, space, scale)
     if state.layout == "terms":

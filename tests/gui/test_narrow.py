@@ -47,6 +47,6 @@ def test_a_row_of_a_ray_says_less_where_there_is_less_room():
     angle, beyond = f"{node.incidence:.1f}°", f"{node.refraction:.1f}°"
     number = node.name.removeprefix("object ").split(" (")[0]
     assert texts[0].startswith(f"{node.depth} {node.kind}, {node.name.removeprefix('object ')}")
-    assert texts[0].endswith(f"  {angle} > {beyond}  F {node.fresnel:.2f}")
+    assert texts[0].endswith(f"  {angle} → {beyond}  F {node.fresnel:.2f}")
     assert texts[-1] == f"{node.depth} {node.kind}, {number}"
     assert [len(text) for text in texts] == sorted({len(text) for text in texts}, reverse=True)

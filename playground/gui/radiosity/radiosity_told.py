@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from playground.gui.wording import percent
 from playground.render.radiosity.factor.matrix_report import MatrixReport
 from playground.render.radiosity.result import Radiosity
 
@@ -52,7 +53,7 @@ def told(slots: StoredSlots) -> RadiosityTold:
         settled=not run.working,
         done=result.done,
         share=result.progress,
-        left=f"{step.residual:.2e} of the light left after {step.done} {_unit(result)}, "
+        left=f"{percent(step.residual)} of the light left after {step.done} {_unit(result)}, "
         f"{len(result.patches)} patches",
         shooter=_shooter(result),
         laws=_laws(result, step.done) if not run.working else _sums(result),

@@ -11,9 +11,11 @@ from playground.gui.picture.comparison import Box, Picture
 from playground.gui.radiosity.stored_slots import StoredSlots
 from playground.gui.scene_view import Slots
 from playground.gui.state import LIGHTMAP, RADIOSITY
+from playground.gui.wording import percent
 
 WHITE = (1.0, 1.0, 1.0)
 NO_LIGHT = {RADIOSITY: "No radiosity: ", LIGHTMAP: "No lightmap: "}
+BAKING = "The lightmap is being baked."
 ROOM = 0.86  # of the width of the picture, for words
 
 
@@ -25,7 +27,7 @@ def brief(method: str, slots: StoredSlots) -> str:
     if run.step is None:
         return "   patches and form factors..."
     paused = "" if run.playing else ", paused"
-    return f"   {run.step.residual:.1%} of the light left{paused}"
+    return f"   {percent(run.step.residual)} of the light left{paused}"
 
 
 def status(slots: Slots) -> str:
@@ -34,19 +36,23 @@ def status(slots: Slots) -> str:
     words = []
     if slots.stored.solves and run.step is not None and run.patches is not None:
         step = run.step
-        left = f"{step.residual:.1e} of the light left, {step.solver}"
+        left = f"{percent(step.residual)} of the light left, {step.solver}"
         words.append(f"radiosity: {len(run.patches)} patches, {left}")
     if paths is not None and not slots.paths.computing:
         words.append(str(paths))
     return ";   ".join(words)
 
 
-def draw(shown: tuple[Picture, ...], slots: StoredSlots, origin: Any, dense: Any) -> None:
+def draw(
+    shown: tuple[Picture, ...], slots: StoredSlots, origin: Any, dense: Any, baking: bool
+) -> None:
     """Over each picture without light, in the middle of its box, why it has none."""
     for picture in shown:
         trouble = slots.trouble(picture.stored) if picture.stored else ""
         if trouble:
-            _plate(NO_LIGHT[picture.stored] + trouble, picture, origin, dense)
+            waits = baking and picture.stored == LIGHTMAP
+            words = BAKING if waits else NO_LIGHT[picture.stored] + trouble
+            _plate(words, picture, origin, dense)
 
 
 def _plate(words: str, picture: Picture, origin: Any, dense: Any) -> None:

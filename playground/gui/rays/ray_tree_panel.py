@@ -105,7 +105,8 @@ def _sum(tree: RayTree, cut: frozenset[int]) -> None:
     imgui.text_disabled(words if cut else "untick a ray below to cut its branch off")
     off, allowed = tree.error, tree.rounding
     holds = "the weights multiply out to the pixel" if tree.adds_up else "the weights do not add up"
-    imgui.text_wrapped(f"{holds}: off by {off:.1e}, rounding allows {allowed:.1e}")
+    by = f"{off:.1e}" if off else "0"
+    imgui.text_wrapped(f"{holds}: off by {by}, rounding allows {allowed:.1e}")
     if np.any(tree.unfollowed):
         imgui.text_disabled(f"rays not followed weigh {ray_words.numbers(tree.unfollowed)}")
 

@@ -25,7 +25,7 @@ def lines(node: RayNode) -> tuple[str, ...]:
     """
     kind, where = SHORT.get(node.kind, node.kind), node.name.removeprefix("object ")
     angle = f"  {node.incidence:.1f}°" if node.incidence is not None else ""
-    beyond = f" > {node.refraction:.1f}°" if node.refraction is not None else ""
+    beyond = f" → {node.refraction:.1f}°" if node.refraction is not None else ""
     share = f"  F {node.fresnel:.2f}" if node.fresnel is not None else ""
     named, number = f"{node.depth} {kind}, {where}", f"{node.depth} {kind}, {where.split(' (')[0]}"
     every = (named + angle + beyond + share, number + angle + beyond + share)

@@ -23,6 +23,7 @@ from playground.scene.scene import Scene
 from playground.scene.settings import Settings
 
 PAUSE = 1.0  # seconds between two looks at the files
+FEW = 3  # files that are named, before it is only how many
 _PLACE = re.compile(r"shaders/([\w./]+):(\d+): (.*)")
 _CALL = re.compile(r"^(?!\s*//)(?!\s*void\b).*\b(?:emit_colours|shade)\s*\(")
 _INCLUDE = re.compile(r'^\s*#include\s+"([^"]+)"')
@@ -66,7 +67,8 @@ def reloaded(state: State, files: Texts) -> State:
     """The state after files have changed on disk; the user's edits of them stay."""
     names = [file for file, _ in files]
     kept = [file for file in names if file in dict(state.edits)]
-    message = f"{', '.join(names)} changed on disk" + (
+    told = ", ".join(names) if len(names) <= FEW else f"{len(names)} shader files"
+    message = f"{told} changed on disk" + (
         f"; your edits of {', '.join(kept)} stay until you revert them" if kept else ": reloaded"
     )
     on_disk = tuple(sorted({**dict(state.on_disk), **dict(files)}.items()))
