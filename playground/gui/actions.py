@@ -253,6 +253,11 @@ def take_picture(state: State) -> State:
     return replace(state, wish="picture")
 
 
+def toggle_full_screen(state: State) -> State:
+    """Ask the window to fill the screen, or to be as large as before."""
+    return replace(state, wish="full screen")
+
+
 def quit_window(state: State) -> State:
     """Ask the window to close."""
     return replace(state, wish="quit")

@@ -58,6 +58,7 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
     def __init__(self, **more: Any) -> None:
         super().__init__(**more)
         self.wnd.exit_key = None  # Esc closes sheets, never the window
+        self.wnd.fullscreen_key = None  # F11 is one of our own keys, in the menu and on the sheet
         self.ui = UiLoop(self.wnd, self.test_engine)
         self.slots = Slots(self.ctx)
         self.measuring = Measuring(self.ctx)
@@ -149,6 +150,9 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
         state = replace(state, wish="")
         if wish == "quit":
             self.wnd.close()
+            return state
+        if wish == "full screen":
+            self.wnd.fullscreen = not self.wnd.fullscreen
             return state
         if wish == "command":
             state, words = copied(state)

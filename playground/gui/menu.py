@@ -13,6 +13,7 @@ from playground.gui.lesson.lesson_course import open_lesson
 from playground.gui.shortcuts import ACTIONS, MENUS
 from playground.gui.state import State
 from playground.lesson.library import lessons
+from playground.lesson.page import listed, plural
 from playground.lesson.script import read_lesson
 from playground.scene.library import library, load
 
@@ -21,6 +22,7 @@ def draw(state: State) -> State:
     """The bar at the top of the window."""
     if not imgui.begin_main_menu_bar():
         return state
+    imgui.push_style_var(imgui.StyleVar_.item_spacing, _spacing())
     for i, menu in enumerate(MENUS):
         if i == 1 and imgui.begin_menu("Setups"):
             state = _setups(state)
@@ -34,6 +36,7 @@ def draw(state: State) -> State:
                 if action.menu == menu:
                     state = _item(state, action)
             imgui.end_menu()
+    imgui.pop_style_var()
     name = state.setup.name
     right = imgui.get_window_width() - imgui.calc_text_size(name).x - 12.0
     if right > imgui.get_cursor_pos_x():
@@ -41,6 +44,15 @@ def draw(state: State) -> State:
         imgui.text_disabled(name)
     imgui.end_main_menu_bar()
     return state
+
+
+def _spacing() -> imgui.ImVec2:
+    """The usual spacing, or less of it where large type would push the last menus out of sight."""
+    usual = imgui.get_style().item_spacing
+    names = (*MENUS, "Setups")
+    room = imgui.get_content_region_avail().x
+    room -= sum(imgui.calc_text_size(name).x for name in names)
+    return imgui.ImVec2(max(min(usual.x, 0.5 * room / len(names)), 1.0), usual.y)
 
 
 def _item(state: State, action: Action) -> State:
@@ -82,8 +94,9 @@ def _taught() -> tuple[tuple[str, str, str], ...]:
         number = str(int(path.stem[:2]))
         try:
             lesson = read_lesson(path)
-            slides = f"slide {', '.join(map(str, lesson.slides))}" if lesson.slides else ""
-            found.append((number, lesson.title, slides))
+            slides = lesson.slides
+            words = f"{plural('slide', len(slides))} {listed(slides)}" if slides else ""
+            found.append((number, lesson.title, words))
         except PlaygroundError as error:
             found.append((number, str(error), ""))
     return tuple(found)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from os.path import expanduser, isdir
 from pathlib import Path
 
 from imgui_bundle import imgui
@@ -21,8 +22,8 @@ MOUSE = (
     ("pan", "right drag, Shift drag"),
     ("pan as well", "Shift wheel"),
     ("nearer, farther", "wheel"),
-    ("type a value", "Ctrl-click"),
-    ("default value", "right-click"),
+    ("type a value", "Ctrl+click"),
+    ("default value", "right click"),
     ("move a handle", "drag it"),
     ("nearer or farther", "and Shift, or wheel"),
     ("open a file", "drop it here"),
@@ -118,10 +119,12 @@ def _open(state: State) -> State:
     imgui.set_next_item_width(-6 * imgui.get_font_size())
     flags = imgui.InputTextFlags_.enter_returns_true.value
     entered, typed = imgui.input_text_with_hint("##path", f"{folder}/...", state.typed, flags)
+    if entered:
+        imgui.set_keyboard_focus_here(-1)  # a folder was entered, or a file not opened: type on
     state = replace(state, typed=typed)
     imgui.same_line()
     if imgui.button("Open", imgui.ImVec2(-1, 0)) or entered:
-        return _chosen(state, Path(state.typed).expanduser())
+        return _chosen(state, Path(expanduser(state.typed)))
     if imgui.begin_child("files"):
         found = entries(folder)
         for path in found:
@@ -138,7 +141,7 @@ def _open(state: State) -> State:
 
 def _chosen(state: State, path: Path) -> State:
     """Go into a folder, or open a file and take the sheet away if it opened."""
-    if path.is_dir():
+    if isdir(path):
         return replace(state, typed=f"{path.resolve()}/".replace("//", "/"))
     opened = open_setup(state, path)
     return opened if opened.failed else replace(opened, typed="")
@@ -146,9 +149,9 @@ def _chosen(state: State, path: Path) -> State:
 
 def folder_of(typed: str) -> Path:
     """The folder whose content is listed: that of the path being typed, or the current one."""
-    path = Path(typed).expanduser()
-    folder = path if path.is_dir() else path.parent
-    return (folder if folder.is_dir() else Path()).resolve()
+    path = Path(expanduser(typed))
+    folder = path if isdir(path) else path.parent
+    return (folder if isdir(folder) else Path()).resolve()
 
 
 def entries(folder: Path) -> list[Path]:

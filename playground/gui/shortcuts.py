@@ -155,6 +155,7 @@ ACTIONS: tuple[Action, ...] = (
         (key("f5"),),
         presentation.next_presentation,
     ),
+    Action("Window", "Full screen, or back", "F11", (key("f11"),), actions.toggle_full_screen),
     Action("Window", "Beginner or full layout", "B", (key("b"),), presentation.next_level),
     Action(
         "Window",

@@ -17,6 +17,7 @@ from playground.scene.settings import Settings
 from playground.scene.setup import Setup
 
 ROWS = 2  # of text
+GAP = "   "  # between two numbers
 
 
 def draw(state: State, numbers: str, light: str = "") -> None:
@@ -25,10 +26,12 @@ def draw(state: State, numbers: str, light: str = "") -> None:
     message = state.hint or state.message or state.setup.scene.title or state.setup.name
     if alarm:
         imgui.push_style_color(imgui.Col_.text, (*PALETTES[state.theme].alarm, 1.0))
-    text = f"{numbers}   {triangles(state.setup.scene):,} triangles"
-    end = imgui.get_window_width() - imgui.get_style().window_padding.x
+    text = f"{numbers}{GAP}{triangles(state.setup.scene):,} triangles"
+    padding, gap = imgui.get_style().window_padding.x, imgui.get_font_size()
+    end = imgui.get_window_width() - padding
+    text = _beside(message, text, end - padding - gap)
     start = end - imgui.calc_text_size(text).x
-    room = start - imgui.get_style().window_padding.x - imgui.get_font_size()
+    room = start - padding - gap
     imgui.text_unformatted(_cut(message, room))
     imgui.set_item_tooltip(_wrapped(message))
     if alarm:
@@ -61,6 +64,14 @@ def _described(scene: Scene, settings: Settings, camera: Camera) -> str:
     view = view_of(camera, everything, (4, 3))
     every = (needs(surface, view, settings, True).describe() for surface in everything)
     return "; ".join(dict.fromkeys(every)) or "nothing: no object"
+
+
+def _beside(message: str, numbers: str, room: float) -> str:
+    """As many of the numbers, the last ones, as leave the message its room: it comes first."""
+    room -= imgui.calc_text_size(message).x
+    while numbers and imgui.calc_text_size(numbers).x > room:
+        numbers = numbers.partition(GAP)[2]
+    return numbers
 
 
 def _cut(text: str, room: float) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os.path
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -64,7 +65,7 @@ def save(setup: Setup, path: str | Path) -> None:
             "a setup is saved as .toml", got=str(path), fix=f"Call it {path.stem}.toml."
         )
     before = ""
-    if path.exists():
+    if os.path.exists(path):  # unlike Path.exists, no error for a name that is too long
         before = read_bytes(path).decode("utf-8", "replace")
         try:
             tomllib.loads(before)

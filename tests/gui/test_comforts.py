@@ -3,6 +3,8 @@
 import json
 import shlex
 from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -209,6 +211,75 @@ def test_save_as_and_recent_files(hands, tmp_path, monkeypatch):
     assert (tmp_path / "mine.toml").is_file(), hands.state
     assert hands.state.sheet == "" and hands.state.recent == (str(tmp_path / "mine.toml"),)
     assert load(tmp_path / "mine.toml").settings == hands.state.setup.settings
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [("", "setup.toml"), (".", "setup.toml"), ("/", "/setup.toml"), ("a/b", "a/b.toml")],
+)
+def test_what_is_typed_to_save_always_names_a_file(typed, meant):
+    from playground.gui.save_sheet import target
+
+    assert target(typed) == Path(meant)
+
+
+TYPED = ("/", "~nobody-has-this-name/x", "a" * 300)  # 300: more than a name may have
+
+
+@pytest.mark.gl
+@pytest.mark.parametrize("chord", [("s", "ctrl", "shift"), ("o", "ctrl")])
+def test_any_text_can_be_typed_where_a_file_is_asked_for(hands, tmp_path, monkeypatch, chord):
+    monkeypatch.chdir(tmp_path)
+    hands.key(*chord)
+    sheet = hands.state.sheet
+    hands.frames(3)
+    for typed in TYPED:
+        hands.key("a", "ctrl")
+        hands.key("delete")
+        hands.io.add_input_characters_utf8(typed)
+        hands.frames(3)
+        assert hands.state.typed == typed
+    hands.key("enter")  # too long a name: the sheet stays, and one goes on typing
+    assert hands.state.failed and hands.state.sheet == sheet
+    hands.frames(3)
+    hands.key("a", "ctrl")
+    hands.io.add_input_characters_utf8("mine")
+    hands.frames(3)
+    assert hands.state.typed == "mine"
+    hands.key("escape")
+
+
+@pytest.mark.gl
+def test_an_error_is_told_until_something_goes_well(hands):
+    from playground.gui.actions import open_setup
+
+    before = hands.state.setup
+    hands.window.state = open_setup(hands.state, "nowhere.toml")
+    hands.frames(5)
+    assert hands.state.failed and "nowhere.toml" in hands.state.message
+    hands.wheel(300, 300, 1.0)
+    assert hands.state.setup != before and not hands.state.failed
+    hands.window.state = replace(open_setup(hands.state, "nowhere.toml"), playing=True)
+    hands.frames(5)
+    assert hands.state.failed  # the camera walks by itself
+
+
+@pytest.mark.gl
+def test_the_message_comes_before_the_numbers(hands, monkeypatch):
+    from playground.gui import status
+
+    sizes = SimpleNamespace(calc_text_size=lambda text: SimpleNamespace(x=len(text)))
+    monkeypatch.setattr(status, "imgui", sizes)
+    numbers = "llvmpipe   1.0 ms   2 triangles"
+    for room, left in ((43, numbers), (42, "1.0 ms   2 triangles"), (22, ""), (3, "")):
+        assert status._beside("no such file", numbers, room) == left
+
+
+@pytest.mark.gl
+def test_the_window_fills_the_screen_and_comes_back(hands, window):
+    for full in (True, False):
+        hands.key("f11")
+        assert window.wnd.fullscreen == full and not hands.state.wish
 
 
 @pytest.mark.gl

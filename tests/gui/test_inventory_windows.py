@@ -172,6 +172,7 @@ CHOSEN = {  # what each line of the menus does, on the teapot with a pixel and a
     "Compare: next layout": turned("layout"),
     "Presentation: black, white": turned("presentation"),
     "End the presentation": "hides the menu: test_comforts",
+    "Full screen, or back": "is the window's: test_comforts",
     "Beginner or full layout": turned("level"),
     "Show or hide the controls": turned("panel"),
     "Shaders, to read and edit": turned("shaders"),
