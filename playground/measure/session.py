@@ -63,7 +63,8 @@ def run_experiments(
     ------
     PlaygroundError
         No experiment of that name, no positive number of rounds, no place for the report,
-        or no GL driver where every experiment that is asked for needs one.
+        or no GL driver where every experiment that is asked for needs one. What an experiment
+        itself raises comes after the others have been measured and the report is written.
     """
     experiments = [find(name) for name in list(names) or EXPERIMENTS]
     if rounds is not None and rounds < 1:
@@ -79,16 +80,21 @@ def run_experiments(
         _say(f"{journal.found} samples of an earlier run are there; going on (--fresh: anew)")
 
     results = [Result(e, skipped=reason if e.needs_gl else "") for e in experiments]
-    stopped = False
+    stopped, failed = False, []
     try:
         for result in results:
-            _measure_one(result, journal, options)
+            try:
+                _measure_one(result, journal, options)
+            except PlaygroundError as error:  # the other experiments may well go on
+                failed.append(error)
     except KeyboardInterrupt:
         stopped = True
     except Exception:  # what has been measured is not to be lost
         _write(results, journal, found, folder, options, stopped=True)
         raise
-    _write(results, journal, found, folder, options, stopped)
+    _write(results, journal, found, folder, options, stopped or bool(failed))
+    if failed:
+        raise failed[0]
     if stopped:
         _tell_stopped(journal, folder)
     return 130 if stopped else 0

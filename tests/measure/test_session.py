@@ -3,6 +3,7 @@
 import csv
 import json
 import re
+from dataclasses import replace
 
 import pytest
 
@@ -77,6 +78,22 @@ def test_an_error_in_an_experiment_leaves_the_report_of_what_was_measured(fake, 
         run(tmp_path)
     data = json.loads((tmp_path / "report.json").read_text())
     assert [r["method"] for r in data["fake"]] == ["a"] and data["unfinished"] == ["fake"]
+
+
+def test_the_others_are_measured_where_one_experiment_is_refused(fake, tmp_path, monkeypatch):
+    made = fake()
+    good = made.experiment
+
+    def no_groups(quick):
+        raise PlaygroundError("the light grows without bound")
+
+    bad = replace(good, name="bad", groups=no_groups)
+    monkeypatch.setattr(session, "EXPERIMENTS", ("bad", "fake"))
+    monkeypatch.setattr(session, "find", lambda name: bad if name == "bad" else good)
+    with pytest.raises(PlaygroundError, match="without bound"):
+        run(tmp_path)
+    assert made.calls == EVERYTHING
+    assert json.loads((tmp_path / "report.json").read_text())["unfinished"] == ["bad"]
 
 
 def test_a_torn_line_is_cut_off_and_a_foreign_file_refused(fake, tmp_path):

@@ -12,11 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.measure.blocks_box import blocks_box, empty_box
-from playground.measure.experiments.sentences import listed, of, percent, sentence
+from playground.measure.experiments.sentences import listed, of, sentence
 from playground.measure.record import Candidate, Errors, Experiment, Timer
 from playground.measure.row_methods import row_maker
 from playground.measure.rows import Row, cases
 from playground.measure.timing import rounds_of
+from playground.percent import percent
 from playground.render.radiosity.factor.matrix import FormFactors
 from playground.render.radiosity.patch.patches import Patches
 from playground.render.radiosity.solver.solve import System, solution
@@ -91,16 +92,18 @@ def _solver(way: Way, rho: float, quick: bool) -> Callable[[], Array]:
         lambda chosen: matrix[chosen], patches, way.normalised, closed=True, dtype=way.kept
     )
     emission = (patches.owner == 0) * 1.0
-    if way.solve is np.float32:
-        single = factors.matrix().astype(np.float32)
-        return lambda: _eliminated(single, np.float32(rho), emission.astype(np.float32))
+    # Our solver is float64, and refuses rows that sum to more than 1/rho: such light has no end.
+    # Elimination gives numbers for these, too, and here they are to be seen.
+    if way.solve is np.float32 or not way.normalised:
+        kept = factors.matrix().astype(way.solve)
+        return lambda: _eliminated(kept, way.solve(rho), emission.astype(way.solve))
     all_three = np.ones(3)
     reflectance = np.full((len(patches), 3), rho)
     system = System(factors, patches.area, reflectance, emission[:, None] * all_three)
     return lambda: solution(system, "direct").light[:, 0]
 
 
-def _eliminated(matrix: Factors, rho: np.float32, emission: Factors) -> Array:
+def _eliminated(matrix: Factors, rho: np.floating[Any], emission: Factors) -> Array:
     """The same by LAPACK in the precision of the matrix."""
     equations = -rho * matrix
     equations.flat[:: len(matrix) + 1] += 1.0
