@@ -151,7 +151,7 @@ def explain(
         return _explanation(setup, (x, y), (width, height), emitted, light=surface.emitter)
     weights = frame.weights[y, x]
     front = bool(frame.front[y, x]) != surface.mirrored
-    positions, normals, mix = _where(surface, view, settings, triangle, weights)
+    positions, normals, mix = evaluated_at(surface, view, settings, triangle, weights)
     texel = _texel(surface, triangle, weights)
     corners = tuple(
         _shaded_point(setup, number, surface, view, position, seen, texel)
@@ -182,10 +182,14 @@ def _explanation(
     return Explanation(setup, pixel, size, colour, shown, code8(shown), **more)
 
 
-def _where(
+def evaluated_at(
     surface: Surface, view: View, settings: Settings, triangle: int, weights: Array
 ) -> tuple[Array, Array, Array]:
-    """Eye-relative positions (K, 3), unit normals (K, 3) and mixing weights (K,) to shade."""
+    """Where the shading mode evaluates the model for a point of a triangle, of ``weights`` (3,).
+
+    Eye-relative positions (K, 3), unit normals (K, 3) and the weights (K,) that mix the results:
+    three vertices, or one point.
+    """
     mesh = surface.mesh
     corners = mesh.faces[triangle]
     if settings.shading == Shading.PER_VERTEX:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from playground.explain.pixel import Explanation
+from playground.explain.pixel import Explanation, evaluated_at
 from playground.render.numpy_renderer import eye_normals, eye_positions
 from playground.render.shade import shade
-from playground.render.surface import surfaces
-from playground.render.view import view_of
+from playground.render.surface import Surface, surfaces
+from playground.render.view import View, view_of
 from playground.shading.texture import bilinear
 from playground.shading.vector import Array, turned_to_eye, unit
 
@@ -16,13 +16,20 @@ from playground.shading.vector import Array, turned_to_eye, unit
 def mixed_inside(why: Explanation, mix: Array) -> Array:
     """What the rasteriser makes of the colours at the vertices, at points of the triangle.
 
-    ``mix`` (..., 3) are the weights of the vertices, the result linear colours (..., 3); of flat
-    shading one colour everywhere. The texture is that of the pixel.
+    ``mix`` (..., 3) are the weights of the vertices at the points, the result are linear colours
+    (..., 3). Flat shading has the colour of the centre everywhere.
+
+    Raises
+    ------
+    ValueError
+        The pixel sees no object.
     """
-    colours = np.array([corner.colour for corner in why.corners])
-    return np.asarray(
-        mix @ colours if len(colours) == 3 else np.broadcast_to(colours[0], mix.shape)
-    )
+    surface, view, triangle = _seen(why)
+    settings = why.setup.settings
+    positions, normals, _ = evaluated_at(surface, view, settings, triangle, why.weights)
+    diffuse, rest = _shaded(why, surface, view, positions, normals)
+    share = mix if len(positions) == 3 else np.ones((*mix.shape[:-1], 1))
+    return np.asarray(share @ diffuse * _texels(surface, triangle, mix) + share @ rest)
 
 
 def shaded_inside(why: Explanation, mix: Array) -> Array:
@@ -33,18 +40,32 @@ def shaded_inside(why: Explanation, mix: Array) -> Array:
     ValueError
         The pixel sees no object.
     """
+    surface, view, triangle = _seen(why)
+    corners = surface.mesh.faces[triangle]
+    position = eye_positions(surface, view, mix @ surface.mesh.positions[corners])
+    normal = unit(mix @ eye_normals(surface, surface.mesh.normals[corners]))
+    diffuse, rest = _shaded(why, surface, view, position, normal)
+    return np.asarray(diffuse * _texels(surface, triangle, mix) + rest)
+
+
+def _seen(why: Explanation) -> tuple[Surface, View, int]:
     if why.object is None or why.triangle is None:
         raise ValueError("the pixel sees no triangle of an object")
-    setup = why.setup
-    everything = surfaces(setup.scene, setup.settings.weights)
-    surface, view = everything[why.object], view_of(setup.camera, everything, why.size)
-    mesh = surface.mesh
-    corners = mesh.faces[why.triangle]
-    position = eye_positions(surface, view, mix @ mesh.positions[corners])
-    normal = unit(mix @ eye_normals(surface, mesh.normals[corners]))
+    everything = surfaces(why.setup.scene, why.setup.settings.weights)
+    return everything[why.object], view_of(why.setup.camera, everything, why.size), why.triangle
+
+
+def _shaded(
+    why: Explanation, surface: Surface, view: View, position: Array, normal: Array
+) -> tuple[Array, Array]:
+    """The diffuse term and the rest of the sum, on the side that the pixel sees."""
     if not why.front:
         normal = turned_to_eye(normal, -position)
-    diffuse, rest = shade(surface, view, setup.settings, position, normal)
-    if surface.texels is not None and mesh.texcoords is not None:
-        diffuse = diffuse * bilinear(surface.texels, mix @ mesh.texcoords[corners])
-    return np.asarray(diffuse + rest)
+    return shade(surface, view, why.setup.settings, position, normal)
+
+
+def _texels(surface: Surface, triangle: int, mix: Array) -> Array:
+    mesh = surface.mesh
+    if surface.texels is None or mesh.texcoords is None:
+        return np.ones(3)
+    return bilinear(surface.texels, mix @ mesh.texcoords[mesh.faces[triangle]])

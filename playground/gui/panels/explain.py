@@ -98,7 +98,7 @@ def _vertices(why: Explanation, told: PointTold, corner: int, clue: Clue, scale:
     """The triangle, where the model is evaluated at its vertices or its centre."""
     mode = why.setup.settings.shading
     if mode == Shading.FLAT:
-        imgui.text_wrapped("Evaluated once, at the centre; to compare:")
+        imgui.text_wrapped("Evaluated once, at the centre of this triangle:")
         triangle_lens.compared(why)
     if mode != Shading.PER_VERTEX or not told.vertices:
         return clue

@@ -28,7 +28,7 @@ UPRIGHT = 0.866  # height over side of a triangle of equal sides
 
 
 def mixed(why: Explanation, scale: float) -> None:
-    """The triangle at the cursor, coloured as the rasteriser mixes it, the pixel marked in it."""
+    """A triangle lit per vertex, coloured as the rasteriser mixes it, the pixel marked in it."""
     at, width = imgui.get_cursor_screen_pos(), imgui.get_content_region_avail().x
     line = imgui.get_font_size()
     side = min(9.5 * line, 0.7 * width)
@@ -38,7 +38,7 @@ def mixed(why: Explanation, scale: float) -> None:
         return
     left, top = at.x + 0.5 * (width - side), at.y + 1.5 * line
     corners = _filled(left, top, side, mixed_inks(why))
-    mix = why.weights.tolist() if len(why.weights) == 3 else (1.0 / 3.0,) * 3
+    mix = why.weights.tolist()
     spot = imgui.ImVec2(*(sum(map(mul, mix, along)) for along in zip(*corners, strict=True)))
     paint = imgui.get_window_draw_list()
     paint.add_circle(spot, 6.0 * scale, imgui.IM_COL32(0, 0, 0, 255), 0, 4.0 * scale)
@@ -70,6 +70,10 @@ def compared(why: Explanation) -> None:
         place = imgui.ImVec2(middle - half, at.y + UPRIGHT * side + 0.4 * line)
         paint.add_text(place, faint, words)
     imgui.dummy(space)
+    imgui.set_item_tooltip(
+        "the model evaluated at every point of the triangle;\n"
+        f"what is drawn differs by up to {largest(why):.2g} of linear light, yellow is most"
+    )
 
 
 def _filled(left: float, top: float, side: float, inks: Inks) -> tuple[Point, Point, Point]:
