@@ -133,11 +133,11 @@ def _add_compare(subparsers: Subparsers) -> None:
     compare.add_argument("-o", "--output", type=Path, help="the difference in false colours")
     compare.add_argument("--json", action="store_true", help="one JSON document, nothing else")
     compare.add_argument("--method", default="raster", help=f"of setups: {METHODS}")
-    compare.add_argument("--mistakes", action="store_true", help="what mistakes B was made with")
+    compare.add_argument("--mistakes", action="store_true", help="how the picture was got wrong")
     compare.add_argument(
         "--tolerance", type=_tolerance, help="status 1 if the largest difference exceeds"
     )
-    _picture_options(compare)
+    _picture_options(compare, "that of the picture, or 640x480")
     compare.set_defaults(run=commands.compare)
 
 
@@ -232,8 +232,8 @@ def _add_doctor(subparsers: Subparsers) -> None:
     doctor.set_defaults(run=commands.doctor)
 
 
-def _picture_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--size", type=_size, metavar="WxH", help="in pixels, 640x480 unless given")
+def _picture_options(parser: argparse.ArgumentParser, usual: str = "640x480 unless given") -> None:
+    parser.add_argument("--size", type=_size, metavar="WxH", help=f"in pixels; {usual}")
     parser.add_argument("--renderer", default="auto", help="auto, gl, numpy; embree for rays")
     _setup_options(parser)
 

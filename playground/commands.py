@@ -137,6 +137,8 @@ def compare(options: Namespace) -> int:
     if options.output is not None:
         check_suffix(options.output)
     names = (options.a, options.b)
+    if options.mistakes:
+        _check_one_file(options, names)
     images = _pictures(options, names)
     result = compare(*images)
     likely = _likely_mistakes(options, images) if options.mistakes else None
@@ -166,10 +168,27 @@ def _pictures(options: Namespace, names: tuple[str, str]) -> list[Image]:
     images = {n: read_image(Path(n), like) for f, n in zip(files, names, strict=True) if f}
     for image in images.values():
         options.size = options.size or image.size
+    like = next((image.setup for image in images.values() if image.setup), None)
+    for name, image in images.items():
+        if image.setup is None:  # the other file may know how its codes came about
+            images[name] = read_image(Path(name), like)
     return [
         images[name] if setup is None else picture_of(options, setup)
         for name, setup in zip(names, setups, strict=True)
     ]
+
+
+def _check_one_file(options: Namespace, names: tuple[str, str]) -> None:
+    """Refuse what has no mistakes to look for, before anything is drawn."""
+    from playground.render.image_file import SUFFIXES
+
+    files = sum(Path(name).suffix.lower() in SUFFIXES for name in names)
+    if files != 1 or options.method != "raster":
+        raise PlaygroundError(
+            "--mistakes compares one picture with one setup, drawn by the rasteriser",
+            got=f"{options.a} and {options.b}, --method {options.method}",
+            fix="playground compare SETUP mine.png --mistakes",
+        )
 
 
 def _likely_mistakes(options: Namespace, images: list[Image]) -> Likely:
@@ -177,18 +196,12 @@ def _likely_mistakes(options: Namespace, images: list[Image]) -> Likely:
 
     from playground.measure.mistakes import likely_mistakes
 
-    files = [image for image in images if image.renderer == "file"]
-    setup = next((image.setup for image in images if image.renderer != "file"), None)
-    if len(files) != 1 or setup is None or options.method != "raster":
-        raise PlaygroundError(
-            "--mistakes compares one picture with one setup, drawn by the rasteriser",
-            got=f"{options.a} and {options.b}, --method {options.method}",
-            fix="playground compare SETUP mine.png --mistakes",
-        )
+    drawn, file = sorted(images, key=lambda image: image.renderer == "file")
+    assert drawn.setup is not None
     form = "{l_bar}{bar}"
     with tqdm(total=1.0, desc="mistakes", leave=False, disable=None, bar_format=form) as bar:
         return likely_mistakes(
-            files[0], setup, options.renderer, lambda share: bar.update(share - bar.n)
+            file, drawn.setup, options.renderer, lambda share: bar.update(share - bar.n)
         )
 
 

@@ -1,8 +1,9 @@
 """Which classic mistake a picture looks as if it were made with.
 
-A setup is drawn in all the ways in which people get it wrong: with each mistake of the bug zoo,
-with each switch of the shading the other way, without each light and term, upside down. The way
-that comes nearest to the picture is probably how it was made.
+A setup is drawn in the ways in which people often get it wrong: with each mistake of the bug zoo,
+in the other shading modes, with the highlight, its gate or the sRGB curve the other way, without
+each term and light; upside down, mirrored, in swapped colours. The way that comes nearest to the
+picture is probably how it was made.
 """
 
 from __future__ import annotations
@@ -14,13 +15,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from playground.percent import percent
 from playground.render.image import Image
 from playground.render.renderer import Renderer, open_renderer
-from playground.scene.settings import TERMS
+from playground.scene.settings import TERMS, Shading
 from playground.scene.setup import Setup
 
 Codes = NDArray[np.uint8]
-AGREES = 1  # code of 255: both pictures were rounded to whole ones
+ONE_CODE = 1  # of 255: both pictures were rounded to whole ones
 EXPLAINED = 0.25  # of the difference: a way that leaves more explains nothing
 ORDERS: dict[str, tuple[str, Callable[[Codes], Codes]]] = {
     "upside-down": ("Upside down", lambda codes: codes[::-1]),
@@ -53,13 +55,15 @@ class Likeness:
 class Likely:
     """The result of `likely_mistakes`.
 
-    ``right`` is the picture's RMSE against the setup as it is, ``nearest`` are the ways that come
-    nearer, best first, and ``agrees`` says that no pixel differs by more than a code.
+    ``right`` is the picture's RMSE against the setup as it is, ``off`` the share of its pixels that
+    differ from it by more than one code of 255. ``nearest`` are the ways that come nearer, best
+    first; ``zoo`` says whether the mistakes of the bug zoo were among those tried.
     """
 
     right: float
-    agrees: bool
-    nearest: tuple[Likeness, ...]
+    off: float
+    nearest: tuple[Likeness, ...] = ()
+    zoo: bool = True
 
     @property
     def explained(self) -> bool:
@@ -71,12 +75,18 @@ class Likely:
         return asdict(self) | {"explained": self.explained}
 
     def __str__(self) -> str:
-        if self.agrees:
+        if self.off == 0.0:
             return "the picture is right: no pixel is off by more than one code of 255"
+        differs = f"{percent(self.off)} of the pixels differ, RMSE {self.right:.2g} as shown"
+        without = (
+            "" if self.zoo else "; those of the bug zoo were not tried, they need --renderer gl"
+        )
         if not self.explained:
-            return f"no classic mistake explains the difference (RMSE {self.right:.2g} as shown)"
+            return f"no classic mistake explains the difference ({differs}){without}"
         best, *others = self.nearest
-        lines = [f"most like: {best.title} (RMSE {best.rmse:.2g}, right: {self.right:.2g})"]
+        lines = [
+            f"most like: {best.title} (RMSE {best.rmse:.2g}, to the right one {self.right:.2g})"
+        ]
         lines += [f"  {best.breaks}"] if best.breaks else []
         close = [way for way in others if way.rmse < EXPLAINED * self.right][:2]
         return "\n".join([*lines, *(f"next: {way.title} (RMSE {way.rmse:.2g})" for way in close)])
@@ -97,19 +107,22 @@ def likely_mistakes(
     with open_renderer(picture.size, renderer) as opened:
         right = _drawn(opened, setup)
         least = _rmse(theirs, right)
-        if np.abs(np.subtract(theirs, right, dtype=np.int16)).max() <= AGREES:
-            return Likely(least, True, ())
+        apart = np.abs(np.subtract(theirs, right, dtype=np.int16)).max(axis=-1)
+        off = float(np.mean(apart > ONE_CODE))
+        if off == 0.0:
+            return Likely(least, off)
+        zoo = opened.name == "gl"
         found = [
             Likeness(name, title, "", _rmse(theirs, order(right)))
             for name, (title, order) in ORDERS.items()
         ]
-        every = list(ways(setup, zoo=opened.name == "gl"))
+        every = list(ways(setup, zoo))
         for number, way in enumerate(every, 1):
             drawn = _drawn(opened, way.setup)
             found.append(Likeness(way.name, way.title, way.breaks, _rmse(theirs, drawn)))
             progress(number / len(every))
     nearer = sorted((one for one in found if one.rmse < least), key=lambda one: one.rmse)
-    return Likely(least, False, tuple(nearer))
+    return Likely(least, off, tuple(nearer), zoo)
 
 
 def ways(setup: Setup, zoo: bool) -> Iterator[Way]:
@@ -120,7 +133,7 @@ def ways(setup: Setup, zoo: bool) -> Iterator[Way]:
         for bug in bugs().values():
             yield Way(bug.name, bug.title, bug.breaks, setup.with_(bugs=(bug.name,)))
     now = setup.settings
-    for shading in ("flat", "per-vertex", "per-fragment"):
+    for shading in Shading:
         if shading != now.shading:
             yield Way(shading, f"Shaded {shading}", "", setup.with_(shading=shading))
     blinn = now.highlight == "blinn"

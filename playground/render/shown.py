@@ -27,7 +27,10 @@ def shown_colour(colour: ArrayLike, settings: Settings) -> Array:
 
 
 def light_shown(shown: ArrayLike, settings: Settings) -> Array:
-    """The linear light (..., 3) that is shown as ``shown``, in [0, 1]; what was cut stays cut."""
+    """The linear light (..., 3) that is shown as ``shown``, in [0, 1].
+
+    What was cut stays cut, a mark stays a colour, and an exposure of 0 leaves nothing to undo.
+    """
     shown = np.asarray(shown, dtype=np.float64)
     light = srgb_decode(shown) if settings.curve == "srgb" else shown
     return light / (settings.exposure or 1.0)
