@@ -1,5 +1,6 @@
 """Shaders in another precision: what stands in them afterwards."""
 
+import re
 import subprocess
 import sys
 from types import SimpleNamespace
@@ -7,11 +8,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from playground import locate
 from playground.errors import PlaygroundError
 from playground.render.gl.other_precision import half_literal, in_precision
 from playground.render.gl.program import check_precision, sources_for
 from playground.render.gl.source import Source
 from playground.render.needs import Needs
+from playground.shading import arc, area_light
 
 BEFORE = """float f(float a, vec3 v) {
     float c = a * a + 0.1;   // a comment with a * b
@@ -91,6 +94,34 @@ def test_a_driver_without_float64_is_told():
         check_precision(old, Needs("flat", precision=precision))
     with pytest.raises(PlaygroundError, match=r"no float64.*OpenGL 3\.3.*--renderer numpy"):
         check_precision(old, Needs("flat", precision="float64"))
+
+
+@pytest.mark.parametrize("name", ["TINY", "angle_of"])
+def test_an_edited_function_of_area_lights_is_the_one_that_runs(name):
+    wanted = Needs("flat", area_lights=1, diffuse=True, precision="float64")
+    assert f"own_{name}" in called(sources_for(wanted)[0].text)
+    for file in ("lib/arc.glsl", "lib/area_light.glsl"):
+        text = locate.shader(file).read_text(encoding="utf-8")
+        edited = sources_for(wanted, overrides={file: text})[0].text
+        here = re.search(rf"^(const )?float {name}\b", text, re.MULTILINE) is not None
+        assert (f"own_{name}" in called(edited)) != here
+
+
+def called(text):
+    """A stage without the file of its stand-ins: what it calls."""
+    return re.sub(r"// from: precision/double_area\.glsl.*?// from:", "", text, flags=re.DOTALL)
+
+
+def test_limits_and_points_of_double_are_those_of_numpy():
+    text = locate.shader("precision/double_area.glsl").read_text(encoding="utf-8")
+    given = dict(re.findall(r"^const \w+ own_(\w+) = ([\d.]+)(?:lf)?;", text, re.MULTILINE))
+    here = {"TINY": area_light.TINY, "TINY_LOBE": area_light.TINY_LOBE, "STEEP": area_light.STEEP}
+    here |= {"NEGLIGIBLE": arc.NEGLIGIBLE, "ARC_POINTS": len(arc.NODES) / 2}
+    assert {name: float(number) for name, number in given.items()} == here
+    points = re.findall(r"dvec2\(([\d.]+)lf, ([\d.]+)lf\)", text)
+    half = arc.NODES > 0
+    want = np.stack([arc.NODES[half], arc.WEIGHTS[half]], axis=1)
+    np.testing.assert_array_equal(np.array(points, float), want)
 
 
 def test_only_area_lights_bring_what_they_take():

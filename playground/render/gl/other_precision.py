@@ -40,7 +40,9 @@ NATIVE = {
     "lib/texture.glsl",
     "lib/power.glsl",
 }
-OWN = {"precision/half.glsl", "precision/double.glsl", "precision/double_area.glsl"}
+# Those that are written for their precision, and not rewritten.
+_LISTED = (*LIBRARIES.values(), *OF_AREA_LIGHTS.values())
+OWN = {name for names in _LISTED for name in names} - {SHARED}
 STANDING_IN = {
     "lib/power.glsl": ("power", "power_below_one", "lobe"),
     "lib/vector.glsl": ("unit", "unit_moderate"),
@@ -56,6 +58,7 @@ DOUBLE_TYPES = {"float": "double"} | {
     kind: f"d{kind}" for kind in ("vec2", "vec3", "vec4", "mat2", "mat3", "mat4", "mat4x3")
 }
 DEFINED = re.compile(r"^(\w+)\s+(\w+)\([^;]*?\)\s*\{", re.MULTILINE)
+_DECLARED = re.compile(r"^const \w+ (\w+)", re.MULTILINE)
 _CONSTANT = re.compile(r"^const \w+ (own_\w+)", re.MULTILINE)
 _OUTPUT = re.compile(r"^(?:\w+\s+)?out\s+(\w+)\s+(\w+);", re.MULTILINE)
 _INPUT = re.compile(r"^(?:\w+\s+)?in\s+vec3\s+(\w+);", re.MULTILINE)
@@ -67,12 +70,17 @@ class _Rewriting(Walk):
     entering = ""  # the conversion of an interpolated input
 
     def __init__(
-        self, source: Source, words: list[Token], stand_ins: set[str], own_text: str
+        self,
+        source: Source,
+        words: list[Token],
+        stand_ins: set[str],
+        own_text: str,
+        edited: set[str],
     ) -> None:
         super().__init__(words, source.where)
         self.stand_ins = stand_ins
-        self.own = {name for _, name in DEFINED.findall(own_text)}
-        self.constants = set(_CONSTANT.findall(own_text))
+        self.own = {name for _, name in DEFINED.findall(own_text)} - edited
+        self.constants = set(_CONSTANT.findall(own_text)) - edited
         self.outputs = {name: kind for kind, name in _OUTPUT.findall(source.text)}
         self.inputs = set(_INPUT.findall(source.text))
         self.name = source.name
@@ -147,6 +155,13 @@ def libraries(precision: str, area_lights: bool) -> tuple[str, ...]:
     return LIBRARIES[precision] + (OF_AREA_LIGHTS.get(precision, ()) if area_lights else ())
 
 
+def _names_in(files: set[str], texts: Mapping[str, str]) -> set[str]:
+    """What stands in for the functions and constants of edited files, and shall no longer."""
+    text = "\n".join(texts[file] for file in files)
+    names = [name for _, name in DEFINED.findall(text)] + _DECLARED.findall(text)
+    return {f"own_{name}" for name in names}
+
+
 def _is_real(number: str) -> bool:
     return not number.startswith("0x") and bool(set(number) & set(".eE"))
 
@@ -191,9 +206,11 @@ def in_precision(source: Source, precision: str, overrides: Mapping[str, str]) -
     others = native - OWN
     own = "\n".join(line for line, (file, _) in lines if file not in others)
     if precision == "float16":
-        _Half(source, words, stand_ins, own).walk()
+        _Half(source, words, stand_ins, own, set()).walk()
         return replace(source, text=written(everything))
-    _Double(source, words, stand_ins, own).walk()
+    _Double(
+        source, words, stand_ins, own, _names_in(AREA_LIGHTS & set(overrides), overrides)
+    ).walk()
     _widen(words)
     text = written(everything).replace(source.text.split("\n", 1)[0], DOUBLE_VERSION, 1)
     return replace(source, text=text)

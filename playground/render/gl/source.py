@@ -89,6 +89,8 @@ def assemble(
     ------
     FileNotFoundError
         An include names no file; the message says which file asked for it.
+    ValueError
+        A file includes itself, or something stands behind an include.
     """
     lines: list[str] = [VERSION]
     origin: list[tuple[str, int]] = [("(defines)", 1)]
