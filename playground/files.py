@@ -70,7 +70,7 @@ def check_place(path: Path) -> None:
         place = Path(os.path.realpath(path))
     except ValueError:
         raise no_name(path) from None
-    if place.is_dir():
+    if os.path.isdir(place):  # unlike Path.is_dir, no error for a name that is too long
         raise PlaygroundError(f"{path} is a folder", allowed="a file")
     try:
         with tempfile.TemporaryFile(dir=place.parent):
@@ -151,7 +151,7 @@ def no_name(path: Path) -> PlaygroundError:
 def _unwritable(place: Path, error: OSError) -> PlaygroundError:
     reason, fix = error.strerror or str(error), "Choose another place."
     if isinstance(error, FileNotFoundError) and place.parent.is_dir():
-        reason = f"the folder {place.parent} takes no files"
+        reason = f"a folder that takes no files, {place.parent}"
     elif isinstance(error, FileNotFoundError):
         fix = f"Make the folder {place.parent} first, or choose another place."
     return PlaygroundError(f"cannot write {place}", got=reason, fix=fix)

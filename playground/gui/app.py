@@ -28,6 +28,7 @@ from playground.gui.run_loop import loop
 from playground.gui.scene_view import Slots
 from playground.gui.shader.shader_edit import Watch, reloaded
 from playground.gui.state import State, shown, start
+from playground.gui.status import GAP
 from playground.gui.ui_loop import UiLoop
 from playground.gui.widget import theme
 from playground.render.gl.driver import software
@@ -132,7 +133,7 @@ class LightingWindow(moderngl_window.WindowConfig):  # type: ignore[misc]
         """What the status line says of renderer and times."""
         name = self.ctx.info["GL_RENDERER"].split(" (")[0]
         drawn, whole = self.slots.milliseconds, self.milliseconds
-        return f"{name}   drawn in {drawn:.1f} ms   {whole:.1f} ms a frame"
+        return GAP.join((name, f"drawn in {drawn:.1f} ms", f"{whole:.1f} ms a frame"))
 
     def _present(self, state: State) -> None:
         """Bring the frame to the window's own framebuffer."""

@@ -104,17 +104,18 @@ def draw(
         _foot(state, numbers, stored_words.status(slots))
     state = waiting.draw(sheets.draw(state), slots.reference, view_box)
     moving = dragging or state.playing or state.scope.playing
-    return remembered(before, settled(before, state), hand.holds(moving, seconds))
+    return remembered(before, without_old_error(before, state), hand.holds(moving, seconds))
 
 
-def settled(before: State, after: State) -> State:
+def without_old_error(before: State, after: State) -> State:
     """The state without an old error, once something else has been done and has gone well.
 
     While the camera walks the setup changes by itself, and an error is still to be read.
     """
     old = before.failed and after.failed and before.message == after.message
     done = after.setup is not before.setup or after.method != before.method
-    return after.say("") if old and done and not after.playing else after
+    walks = after.playing or after.scope.playing
+    return after.say("") if old and done and not walks else after
 
 
 def areas(state: State, scale: float) -> tuple[Box, Box, Box]:

@@ -39,6 +39,8 @@ def target(typed: str) -> Path:
     Every text is a file's name to it, as somebody is still typing: "", "/" and "~nobody" too.
     """
     path = Path(expanduser(typed))  # unlike Path.expanduser, no error where there is no such user
+    if typed.endswith("/") or path.name == "..":
+        return path / "setup.toml"
     if path.suffix:
         return path
     return path.with_name(f"{path.name}.toml") if path.name else path / "setup.toml"

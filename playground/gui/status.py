@@ -23,7 +23,8 @@ GAP = "   "  # between two numbers
 def draw(state: State, numbers: str, light: str = "") -> None:
     """Two rows: message and numbers; what the pictures need of the renderer, or of ``light``."""
     alarm = state.failed and not state.hint
-    message = state.hint or state.message or state.setup.scene.title or state.setup.name
+    whole = state.hint or state.message or state.setup.scene.title or state.setup.name
+    message = whole.replace("\n", " ")
     if alarm:
         imgui.push_style_color(imgui.Col_.text, (*PALETTES[state.theme].alarm, 1.0))
     text = f"{numbers}{GAP}{triangles(state.setup.scene):,} triangles"
@@ -33,7 +34,7 @@ def draw(state: State, numbers: str, light: str = "") -> None:
     start = end - imgui.calc_text_size(text).x
     room = start - padding - gap
     imgui.text_unformatted(_cut(message, room))
-    imgui.set_item_tooltip(_wrapped(message))
+    imgui.set_item_tooltip(_wrapped(whole))
     if alarm:
         imgui.pop_style_color()
     imgui.same_line(start)

@@ -1,4 +1,4 @@
-"""What differs between two setups, in a few words; and shares in percent."""
+"""What differs between two setups, in a few words: for the status line after undo."""
 
 from __future__ import annotations
 
@@ -25,11 +25,6 @@ def difference(a: Setup, b: Setup) -> str:
         for i, (x, y) in enumerate(zip(old, new, strict=True)):
             found += _item(f"{kind} {i}", x, y)
     return ", ".join(found) if len(found) <= MOST else "several things"
-
-
-def percent(share: float) -> str:
-    """A share with three digits, however small: ``"18.5 %"``, ``"0.00967 %"``."""
-    return f"{100.0 * share:.3g} %"
 
 
 def _item(label: str, x: Any, y: Any) -> list[str]:

@@ -105,6 +105,7 @@ class Advice:
                 "drop": [finding.candidate.name for finding in self.chosen],
                 "errors": asdict(self.errors),
                 "saving": _saving(self.saving) if self.saving is not None else None,
+                "refuted": [finding.candidate.name for finding in self.refuted],
             },
             "sentence": self.sentence(),
         }

@@ -14,6 +14,7 @@ from playground.errors import PlaygroundError
 from playground.files import make_folder, write_whole
 from playground.measure.advice import Advice
 from playground.measure.advisor import Progress, advise
+from playground.percent import percent
 from playground.scene.setup import Setup
 from playground.scene.setup_file import save
 
@@ -65,7 +66,8 @@ def bar(progress: Progress, seconds: float) -> str:
     left = ""
     if progress.share > 0.0:
         left = f"{seconds * (1.0 - progress.share) / progress.share:.0f} s left  "
-    text = f"[{'#' * full}{'.' * (WIDE - full)}] {progress.share:4.0%}  {left}{progress.doing}"
+    done = f"[{'#' * full}{'.' * (WIDE - full)}] {percent(progress.share, '3.0f')}"
+    text = f"{done}  {left}{progress.doing}"
     return text[:LINE]
 
 

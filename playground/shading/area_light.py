@@ -39,7 +39,8 @@ from playground.shading.polygon import (
 )
 from playground.shading.vector import Array, dot
 
-# Below all three limits of its extent over its distance, a polygon gets the quadrature.
+# A polygon gets the quadrature where its extent over its distance is below TINY; for the lobe below
+# all three limits.
 TINY = 0.003  # below it the sum over the edges loses 1e-13
 TINY_LOBE = 0.01  # in widths of the lobe, 1/√(exponent + 1)
 STEEP = 0.02  # in cosines to the axis: near its equator small powers are steep

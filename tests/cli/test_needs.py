@@ -137,5 +137,5 @@ def test_the_bar_fits_a_line():
             Progress(share, "tessellation of object 12 (icosphere): 256 → 128"), 9.0
         )
         assert len(text) <= needs_command.LINE
-        assert f"{share:4.0%}" in text
+        assert f"{100 * share:3.0f} %" in text
     assert "9 s left" in needs_command.bar(Progress(0.5, "light 0 (point)"), 9.0)

@@ -191,7 +191,10 @@ def test_what_makes_no_mistakes_gives_way_to_the_rasteriser(hands, deed):
     state = hands.state
     assert state.guess.number or state.setup.settings.bugs == ("missing-max",)
     assert (state.method, state.first) == ("raster", "as chosen")
-    before = hands.pixels()
+    wrong = hands.pixels()
+    hands.window.state = replace(state, guess=guess.Guess(), setup=state.setup.with_(bugs=()))
+    hands.frames(2)
+    assert rmse(wrong, hands.pixels()) > 0.0  # the rasteriser makes the mistake
+    hands.window.state = state
     hands.key("z", "ctrl")
     assert hands.state.method == "ray-tracing" and hands.state.setup.name == "stretched"
-    assert rmse(before, hands.pixels()) > 0.0

@@ -215,7 +215,14 @@ def test_save_as_and_recent_files(hands, tmp_path, monkeypatch):
 
 @pytest.mark.parametrize(
     ("typed", "meant"),
-    [("", "setup.toml"), (".", "setup.toml"), ("/", "/setup.toml"), ("a/b", "a/b.toml")],
+    [
+        ("", "setup.toml"),
+        (".", "setup.toml"),
+        ("/", "/setup.toml"),
+        ("a/b", "a/b.toml"),
+        ("a/b/", "a/b/setup.toml"),
+        ("a/..", "a/../setup.toml"),
+    ],
 )
 def test_what_is_typed_to_save_always_names_a_file(typed, meant):
     from playground.gui.save_sheet import target
@@ -264,8 +271,21 @@ def test_an_error_is_told_until_something_goes_well(hands):
     assert hands.state.failed  # the camera walks by itself
 
 
-@pytest.mark.gl
-def test_the_message_comes_before_the_numbers(hands, monkeypatch):
+def test_an_error_outlives_a_camera_that_walks_by_itself():
+    from playground.gui.frame import without_old_error
+    from playground.gui.state import start
+
+    failed = start(load("sphere")).fail("no such file")
+    moved = replace(failed, setup=failed.setup.with_(eye=(0, 0, 9)))
+    assert not without_old_error(failed, moved).failed
+    for walking in (
+        replace(moved, playing=True),
+        replace(moved, scope=replace(moved.scope, playing=True)),
+    ):
+        assert without_old_error(failed, walking).failed
+
+
+def test_the_message_comes_before_the_numbers(monkeypatch):
     from playground.gui import status
 
     sizes = SimpleNamespace(calc_text_size=lambda text: SimpleNamespace(x=len(text)))

@@ -109,11 +109,11 @@ def test_a_part_of_work_stands_between_its_ends():
 @pytest.mark.parametrize(
     ("progress", "words"),
     [
-        (Progress(0.25, 3.0), "25%, 9 s left"),
-        (Progress(0.5, 0.01), "50%, 1 s left"),
-        (Progress(0.01, 1.0), "1%, 1 min 39 s left"),
-        (Progress(0.0, 3.0), "0%"),
-        (Progress(1.0, 3.0), "100%"),
+        (Progress(0.25, 3.0), "25 %, 9 s left"),
+        (Progress(0.5, 0.01), "50 %, 1 s left"),
+        (Progress(0.01, 1.0), "1 %, 1 min 39 s left"),
+        (Progress(0.0, 3.0), "0 %"),
+        (Progress(1.0, 3.0), "100 %"),
         (Progress(None, 2.5), "3 s so far"),
     ],
 )

@@ -225,8 +225,10 @@ def test_a_step_aside_in_a_room_stays_in_the_room():
     assert np.linalg.norm(after) < np.linalg.norm(before) and nearer.fov > camera.fov
 
 
-def test_where_nothing_hides_the_point_the_camera_stays():
-    setup = load("teapot")
+@pytest.mark.parametrize("shading", ["flat", "per-vertex", "per-fragment"])
+@pytest.mark.parametrize("name", ["teapot", "missed-highlight"])
+def test_where_nothing_hides_the_point_the_camera_stays(name, shading):
+    setup = load(name).with_(shading=shading)
     corner, light = point_of(setup)
     camera = aside(setup.camera, corner.position, corner.normal, light.reflection)
     assert unhidden(setup, camera) is camera

@@ -24,7 +24,7 @@ NEW: dict[str, Rgb] = {"dark": (0.52, 0.85, 0.56), "light": (0.05, 0.42, 0.14)}
 
 def draw(state: State, ui: Ui) -> State:
     """The game if it is on, else the switches and the way into it."""
-    _drawn_right(state)
+    _warn_if_drawn_right(state)
     if state.guess.number:
         return _game(state)
     state = _invitation(state, ui)
@@ -94,7 +94,7 @@ def _rasterised(state: State) -> State:
     return replace(state, method=RASTER, first=CHOSEN)
 
 
-def _drawn_right(state: State) -> None:
+def _warn_if_drawn_right(state: State) -> None:
     """A word where a mistake is on and the chosen method makes none."""
     if state.method != RASTER and (state.guess.number or state.setup.settings.bugs):
         words = f"The mistakes are in the shaders of the rasteriser; {state.method} makes none."

@@ -108,7 +108,7 @@ def _pair(pair: PatchPair, method: str) -> None:
     factor_table.draw(pair, method)
     told = pair.told(method)
     if told is not None:
-        imgui.text(f"Ai Fij − Aj Fji = {told.exchange:.2e}")
+        imgui.text(f"AᵢFᵢⱼ − AⱼFⱼᵢ = {told.exchange:.2e}")
         imgui.set_item_tooltip(f"{method}, that of the settings; 0 by reciprocity")
         imgui.text(f"row sums {told.sums[0]:.5f} of i, {told.sums[1]:.5f} of j")
         imgui.set_item_tooltip(f"{method}, as they come, before any correction")

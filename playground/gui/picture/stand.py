@@ -17,6 +17,7 @@ from playground.explain.pixel import explain
 from playground.gui.picture.orbit import orbit, widened
 from playground.gui.widget.directions import LEAST
 from playground.scene.camera import Camera
+from playground.scene.settings import Shading
 from playground.scene.setup import Setup
 
 if TYPE_CHECKING:
@@ -25,9 +26,9 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 TURN = 55.0  # degrees: v and ρ are seen large, and the point is still seen from its front
-CLOSE = 0.2  # of the way to the eye: what hides the point from so near by is not walked past
+CLOSE = 0.2  # of the way to the eye: for what hides the point from so near by nobody comes nearer
 BEFORE = 0.9  # of the way to what hides the point is where the eye then stands
-WIDEST = 100.0  # degrees of view that are to show as much from there
+WIDEST = 100.0  # degrees: the widest view that is to make up for standing nearer
 MIDDLE = ((1, 1), (3, 3))  # the pixel that sees the target, and the size of its picture
 
 
@@ -110,7 +111,9 @@ def unhidden(setup: Setup, camera: Camera) -> Camera:
     """
     away = np.subtract(camera.eye, camera.target)
     distance = float(np.linalg.norm(away))
-    corners = explain(replace(setup, camera=camera), *MIDDLE).corners
+    # Per-fragment shading evaluates the model at the very point that is seen.
+    seen = replace(setup, camera=camera).with_(shading=Shading.PER_FRAGMENT)
+    corners = explain(seen, *MIDDLE).corners
     free = float(np.linalg.norm(corners[0].position - camera.target)) if corners else 0.0
     if not CLOSE * distance < free < distance:
         return camera

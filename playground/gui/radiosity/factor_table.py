@@ -8,7 +8,7 @@ from playground.explain.patch_pair import MethodTold, PatchPair
 from playground.explain.patch_words import percent
 from playground.render.radiosity.factor.form_factors import METHODS
 
-TITLES = ("method", "Fij", "error", "ms a row")
+TITLES = ("method", "Fᵢⱼ", "error", "ms a row")
 FLAGS = imgui.TableFlags_.row_bg.value | imgui.TableFlags_.sizing_fixed_fit.value
 
 
@@ -46,6 +46,6 @@ def more(told: MethodTold) -> str:
     """What a row has no room for."""
     (there, back), (one, other) = told.factors, told.sums
     return (
-        f"{told.method}\nFij = {there:.6g}, Fji = {back:.6g}\n"
-        f"Ai Fij − Aj Fji = {told.exchange:.2e}\nrow sums {one:.5f} of i, {other:.5f} of j"
+        f"{told.method}\nFᵢⱼ = {there:.6g}, Fⱼᵢ = {back:.6g}\n"
+        f"AᵢFᵢⱼ − AⱼFⱼᵢ = {told.exchange:.2e}\nrow sums {one:.5f} of i, {other:.5f} of j"
     )

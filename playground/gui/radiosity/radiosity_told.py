@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from playground.gui.wording import percent
+from playground.percent import percent
 from playground.render.radiosity.factor.matrix_report import MatrixReport
 from playground.render.radiosity.result import Radiosity
 
@@ -57,7 +57,7 @@ def told(slots: StoredSlots) -> RadiosityTold:
         f"{len(result.patches)} patches",
         shooter=_shooter(result),
         laws=_laws(result, step.done) if not run.working else _sums(result),
-        energy=", ".join(f"{name} {part / whole:.1%}" for name, part in parts.items()),
+        energy=", ".join(f"{name} {percent(part / whole, '.1f')}" for name, part in parts.items()),
         warnings=result.warnings,
     )
 

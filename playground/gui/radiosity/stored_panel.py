@@ -12,7 +12,7 @@ from playground.gui.pixel import filter_bars, rows
 from playground.gui.pixel.equation import write
 from playground.gui.radiosity.stored_explained import stored_explained
 from playground.gui.radiosity.stored_told import PatchTold, StoredTold, stored_told
-from playground.gui.state import State
+from playground.gui.state import LIGHTMAP, State
 from playground.gui.widgets import Ui
 
 WAITING = "Light is being computed; what arrives at this pixel is told when there is some."
@@ -29,7 +29,8 @@ def draw(state: State, picture: Picture, ui: Ui) -> State:
     why = stored_explained(state, viewed(state, picture), ui.stored)
     if why is None:
         trouble = ui.stored.trouble(picture.stored)
-        imgui.text_wrapped(f"No light to explain: {trouble}" if trouble else WAITING)
+        waits = not trouble or (state.bake.running and picture.stored == LIGHTMAP)
+        imgui.text_wrapped(WAITING if waits else f"No light to explain: {trouble}")
         return state
     forgotten = rows.head(
         f"pixel ({why.pixel[0]}, {why.pixel[1]}), {why.method}",

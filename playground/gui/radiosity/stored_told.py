@@ -11,6 +11,7 @@ from playground.explain.patch_light import PatchLight, Sender
 from playground.explain.stored_pixel import StoredPixel
 from playground.gui.pixel.equation import Parts, triple
 from playground.gui.pixel.telling import KEPT, Line, line
+from playground.percent import percent
 
 SHOWN = {"all": "", "direct": "   direct alone", "indirect": "   indirect alone"}
 FAR = 6  # senders that are told
@@ -94,7 +95,9 @@ def _patch(why: StoredPixel, light: PatchLight) -> PatchTold:
         balance=_balance(light),
         senders=tuple(
             line(
-                why, s.sent, f"{s.share:.1%}  patch {s.patch} of {_owner(why, s)}, F {s.factor:.3g}"
+                why,
+                s.sent,
+                f"{percent(s.share, '.1f')}  patch {s.patch} of {_owner(why, s)}, F {s.factor:.3g}",
             )
             for s in light.senders[:FAR]
         ),
@@ -119,5 +122,7 @@ def _energy(light: PatchLight) -> str:
     arrives = book["arrives"]
     if not arrives:
         return "no light arrives"
-    absorbed, reflected = book["absorbed"] / arrives, book["reflected"] / arrives
-    return f"of what arrives, {absorbed:.0%} is absorbed and {reflected:.0%} reflected"
+    absorbed, reflected = (
+        percent(book[part] / arrives, ".0f") for part in ("absorbed", "reflected")
+    )
+    return f"of what arrives, {absorbed} is absorbed and {reflected} reflected"

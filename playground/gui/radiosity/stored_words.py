@@ -11,7 +11,7 @@ from playground.gui.picture.comparison import Box, Picture
 from playground.gui.radiosity.stored_slots import StoredSlots
 from playground.gui.scene_view import Slots
 from playground.gui.state import LIGHTMAP, RADIOSITY
-from playground.gui.wording import percent
+from playground.percent import percent
 
 WHITE = (1.0, 1.0, 1.0)
 NO_LIGHT = {RADIOSITY: "No radiosity: ", LIGHTMAP: "No lightmap: "}

@@ -23,7 +23,7 @@ from playground.scene.scene import Scene
 from playground.scene.settings import Settings
 
 PAUSE = 1.0  # seconds between two looks at the files
-FEW = 3  # files that are named, before it is only how many
+FEW = 3  # more changed files than this are counted, not named
 _PLACE = re.compile(r"shaders/([\w./]+):(\d+): (.*)")
 _CALL = re.compile(r"^(?!\s*//)(?!\s*void\b).*\b(?:emit_colours|shade)\s*\(")
 _INCLUDE = re.compile(r'^\s*#include\s+"([^"]+)"')

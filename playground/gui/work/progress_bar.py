@@ -7,6 +7,7 @@ from math import ceil
 from imgui_bundle import imgui
 
 from playground.gui.work.long_work import Progress
+from playground.percent import percent
 
 MINUTE = 60.0
 
@@ -28,7 +29,7 @@ def words(progress: Progress) -> str:
     if progress.share is None:
         return f"{seconds(progress.elapsed)} so far"
     left = f", {seconds(progress.left)} left" if progress.left else ""
-    return f"{progress.share:.0%}{left}"
+    return f"{percent(progress.share, '.0f')}{left}"
 
 
 def seconds(time: float) -> str:

@@ -8,7 +8,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from playground.measure.experiments.sentences import of, percent, sentence, times
+from playground.measure.experiments.sentences import of, sentence, times
 from playground.measure.experiments.spheres import QUICK_SIZE, SIZE, sphere
 from playground.measure.jackknife import jackknife
 from playground.measure.metrics import flip_map, largest, rmse
@@ -16,6 +16,7 @@ from playground.measure.pictures import picture, picture_errors
 from playground.measure.record import Candidate, Errors, Experiment
 from playground.measure.rows import Row, ratio, slope
 from playground.measure.timing import frames_of
+from playground.percent import percent
 from playground.render.image import Image
 from playground.render.numpy_renderer import render_sample
 from playground.render.raster.coverage import SUBPIXELS

@@ -11,10 +11,11 @@ import numpy as np
 
 from playground.measure import area_samples as light
 from playground.measure import metrics
-from playground.measure.experiments.sentences import of, percent, sentence, times
+from playground.measure.experiments.sentences import of, sentence, times
 from playground.measure.record import Batch, Candidate, Errors, Experiment, Timer
 from playground.measure.rows import Row, cases, ratio, slope
 from playground.measure.timing import rounds_of
+from playground.percent import percent
 from playground.shading.area_light import form_factor, lobe_integral
 from playground.shading.vector import Array
 

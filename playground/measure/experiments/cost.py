@@ -119,7 +119,9 @@ def _prices(rows: list[Row]) -> str:
     if not base or not others:
         return ""
     if not enough(base[0]):
-        return f"{len(base[0].rounds)} rounds are too few to tell any price from the noise"
+        rounds = len(base[0].rounds)
+        count = "1 round is" if rounds == 1 else f"{rounds} rounds are"
+        return f"{count} too few to tell any price from the noise"
     clear = [row for row in others if told_apart(row, base[0])]
     dearest = sorted(clear, key=lambda row: -abs(ratio(row, base[0]) - 1.0))[:3]
     words = [f"{signed(ratio(row, base[0]) - 1.0)} ({row.method})" for row in dearest]

@@ -6,11 +6,12 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import lru_cache
 
-from playground.measure.experiments.sentences import of, percent, reach, sentence, times, took
+from playground.measure.experiments.sentences import of, reach, sentence, times, took
 from playground.measure.pictures import picture, picture_errors
 from playground.measure.record import Candidate, Errors, Experiment
 from playground.measure.rows import Row, cases, ratio
 from playground.measure.timing import frames_of
+from playground.percent import percent
 from playground.render.image import Image
 from playground.scene.library import load
 
@@ -63,11 +64,11 @@ def finding(rows: list[Row]) -> str:
             words += percent(best.error or 0.0)
         most = max(int(row.knobs["depth"]) for row in here)
         whole, cut = of(here, FOLLOWED, depth=most), of(here, CUT, depth=most)
-        if whole and cut:
+        if whole and cut and whole[0].error is not None and cut[0].error is not None:
             words += (
                 f"; at depth {most} the threshold takes {times(ratio(cut[0], whole[0]))} the time "
-                f"and changes the error from {percent(whole[0].error or 0.0)} to "
-                f"{percent(cut[0].error or 0.0)}"
+                f"and changes the error from {percent(whole[0].error)} to "
+                f"{percent(cut[0].error)}"
             )
         parts.append(words)
     return sentence(*parts)

@@ -7,11 +7,12 @@ from contextlib import ExitStack
 from functools import lru_cache
 
 from playground.measure.blocks_box import empty_box
-from playground.measure.experiments.sentences import of, percent, reach, sentence, times
+from playground.measure.experiments.sentences import of, reach, sentence, times
 from playground.measure.matrix_errors import SUM_OFF, exact_rows, row_errors, some_rows
 from playground.measure.record import Candidate, Errors, Experiment, Timer
 from playground.measure.row_methods import row_maker, timer_of
 from playground.measure.rows import Row, slope
+from playground.percent import percent
 from playground.render.radiosity.patch.patches import Patches
 from playground.shading.floats import Array
 

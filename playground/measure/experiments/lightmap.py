@@ -12,12 +12,13 @@ from typing import Any
 
 import numpy as np
 
-from playground.measure.experiments.sentences import of, percent, reach, sentence, times
+from playground.measure.experiments.sentences import of, reach, sentence, times
 from playground.measure.gathered import REFERENCE, Gathered, gathered_picture, light_errors
 from playground.measure.record import Candidate, Errors, Experiment, Timer
 from playground.measure.rows import Row, slope
 from playground.measure.textured_floor import TexturedFloor
 from playground.measure.timing import rounds_of
+from playground.percent import percent
 from playground.render.image import Image
 from playground.render.lightmap.bake import bake
 from playground.render.lightmap.lightmap import Lightmap

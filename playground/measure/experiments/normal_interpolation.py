@@ -44,18 +44,20 @@ def _candidate(method: str, tessellation: int, size: tuple[int, int]) -> Candida
 
 def finding(rows: list[Row]) -> str:
     """What leaving it out does to the error, and what doing it does to the time."""
-    losses, prices = [], []
+    losses, prices = [], []  # prices: by tessellation, of each round
     for with_it in of(rows, "renormalised"):
         without = of(rows, "not renormalised", **with_it.knobs)
         if without:
             base = without[0]
-            prices += list(np.divide(with_it.rounds, base.rounds[: len(with_it.rounds)]) - 1.0)
+            pairs = zip(with_it.rounds, base.rounds, strict=False)
+            prices.append([taken / before - 1.0 for taken, before in pairs])
             if with_it.error and base.error is not None:
                 losses.append(f"{times(base.error / with_it.error)} at {with_it.setting}")
     if not losses:
         return sentence()
-    low, middle, high = np.percentile(prices, [10, 50, 90])
-    told = "" if on_one_side(prices) else ", which is not told apart from nothing"
+    low, middle, high = np.percentile(np.concatenate(prices), [10, 50, 90])
+    rounds = [float(np.median(prices_of)) for prices_of in zip(*prices, strict=False)]
+    told = "" if on_one_side(rounds) else ", which is not told apart from nothing"
     return sentence(
         f"without making the normal unit length again the error is {', '.join(losses)} as large",
         f"making it so changes the time by {signed(middle)} "

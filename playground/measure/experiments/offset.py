@@ -10,10 +10,11 @@ from functools import lru_cache, partial
 import numpy as np
 from numpy.typing import NDArray
 
-from playground.measure.experiments.sentences import of, percent, sentence
+from playground.measure.experiments.sentences import of, sentence
 from playground.measure.record import Batch, Candidate, Errors, Experiment, Timer
 from playground.measure.rows import Row
 from playground.measure.timing import rounds_of
+from playground.percent import percent
 from playground.shading.ray import offset_ray
 from playground.shading.triangle import ray_triangle
 from playground.shading.vector import unit

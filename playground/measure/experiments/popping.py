@@ -9,12 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from playground.measure.analytic import exact_picture
-from playground.measure.experiments.sentences import listed, of, percent, sentence
+from playground.measure.experiments.sentences import listed, of, sentence
 from playground.measure.experiments.spheres import REFERENCE, sphere
 from playground.measure.popping import largest_jump, orbit, scope
 from playground.measure.record import Candidate, Errors, Experiment
 from playground.measure.rows import Row
 from playground.measure.timing import frames_of
+from playground.percent import percent
 
 SHADINGS = ("flat", "per-vertex", "per-fragment")
 TESSELLATIONS = (8, 16, 32, 64, 128, 256)

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from playground.errors import PlaygroundError
-from playground.measure.experiments.sentences import of, percent, sentence, times
+from playground.measure.experiments.sentences import of, sentence, times
 from playground.measure.experiments.spheres import sphere
 from playground.measure.pictures import picture, picture_errors
 from playground.measure.record import Candidate, Errors, Experiment
 from playground.measure.rows import Row, cases, ratio
 from playground.measure.timing import frames_of
+from playground.percent import percent
 
 PRECISIONS = ("float16", "float32", "float64")
 RENDERERS = {"GL": "gl", "NumPy": "numpy"}

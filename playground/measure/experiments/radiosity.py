@@ -10,13 +10,14 @@ from functools import lru_cache
 import numpy as np
 
 from playground.measure.blocks_box import blocks_box
-from playground.measure.experiments.sentences import listed, of, percent, sentence
+from playground.measure.experiments.sentences import listed, of, sentence
 from playground.measure.large_radiosity import solved_elsewhere
 from playground.measure.matrix_errors import SUM_OFF, converged_rows, row_errors, some_rows
 from playground.measure.peer_viewfactor import INSTALLED, NAME, viewfactor_rows
 from playground.measure.record import Batch, Candidate, Errors, Experiment, Timer
 from playground.measure.row_methods import row_maker
 from playground.measure.rows import Row, cases
+from playground.percent import percent
 from playground.render.radiosity.patch.patches import Patches
 from playground.render.radiosity.result import radiosity
 from playground.render.radiosity.solver.system import Step

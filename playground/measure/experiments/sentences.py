@@ -9,11 +9,6 @@ from playground.measure.rows import Row
 NOTHING = "Nothing has been compared yet."
 
 
-def percent(share: float) -> str:
-    """``0.01`` as ``1 %``; three digits."""
-    return f"{100.0 * share:.3g} %"
-
-
 def signed(share: float) -> str:
     """``0.01`` as ``+1 %``."""
     return f"{100.0 * share:+.2g} %"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from playground.measure.experiments.sentences import of, percent, reach, sentence, times, took
+from playground.measure.experiments.sentences import of, reach, sentence, times, took
 from playground.measure.experiments.spheres import (
     QUICK_SIZE,
     REFERENCE,
@@ -16,6 +16,7 @@ from playground.measure.pictures import picture, picture_errors
 from playground.measure.record import Candidate, Errors, Experiment
 from playground.measure.rows import Row, ratio, slope
 from playground.measure.timing import frames_of
+from playground.percent import percent
 
 SHADINGS = ("flat", "per-vertex", "per-fragment")
 TESSELLATIONS = (8, 16, 32, 64, 128, 256, 512, 1024)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import lru_cache
 
-from playground.measure.experiments.sentences import percent, reach, sentence, times, took
+from playground.measure.experiments.sentences import reach, sentence, times, took
 from playground.measure.pictures import picture, picture_errors
 from playground.measure.record import Candidate, Errors, Experiment
 from playground.measure.rows import Row, cases, ratio, slope
 from playground.measure.timing import frames_of
+from playground.percent import percent
 from playground.render.image import Image
 from playground.scene.library import load
 

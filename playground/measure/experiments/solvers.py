@@ -9,10 +9,11 @@ from functools import lru_cache
 import numpy as np
 
 from playground.measure import metrics
-from playground.measure.experiments.sentences import listed, of, percent, sentence, times, took
+from playground.measure.experiments.sentences import listed, of, sentence, times, took
 from playground.measure.record import Candidate, Errors, Experiment, Timer
 from playground.measure.rows import Row, cases
 from playground.measure.timing import rounds_of
+from playground.percent import percent
 from playground.render.radiosity.factor.form_factors import open_rows
 from playground.render.radiosity.factor.matrix import FormFactors
 from playground.render.radiosity.patch.divide import divide

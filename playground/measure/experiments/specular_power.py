@@ -10,12 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from playground.measure import metrics
-from playground.measure.experiments.sentences import listed, of, percent, reach, sentence, times
+from playground.measure.experiments.sentences import listed, of, reach, sentence, times
 from playground.measure.power_methods import Method, exact, methods, normals
 from playground.measure.power_pass import PowerPass
 from playground.measure.record import Batch, Candidate, Errors, Experiment, Timer
 from playground.measure.rows import Row, cases, ratio
 from playground.measure.timing import rounds_of
+from playground.percent import percent
 
 SHININESS, QUICK_SHININESS = (5, 20, 80, 1000), (20,)
 SIZES, QUICK_SIZES = (16, 64, 256, 1024, 4096), (16, 256)

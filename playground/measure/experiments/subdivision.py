@@ -6,11 +6,12 @@ from collections.abc import Iterator
 from contextlib import ExitStack
 from functools import lru_cache
 
-from playground.measure.experiments.sentences import of, percent, reach, sentence, times
+from playground.measure.experiments.sentences import of, reach, sentence, times
 from playground.measure.gathered import REFERENCE, Gathered, gathered_picture, light_errors
 from playground.measure.record import Batch, Candidate, Errors, Experiment, Timer
 from playground.measure.rows import Row, slope
 from playground.measure.timing import timed
+from playground.percent import percent
 from playground.render.radiosity.result import Radiosity, radiosity
 from playground.render.renderer import open_renderer
 from playground.scene.library import load

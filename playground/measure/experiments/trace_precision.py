@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from playground.measure.experiments.sentences import of, percent, sentence, times
+from playground.measure.experiments.sentences import of, sentence, times
 from playground.measure.pictures import picture, picture_errors
 from playground.measure.record import Candidate, Errors, Experiment
 from playground.measure.rows import Row, cases, ratio
 from playground.measure.timing import frames_of
+from playground.percent import percent
 from playground.scene.library import load
 
 SCENES = ("whitted-room", "sphere-row", "glass-of-water", "glass-ring", "area-light", "teapot")

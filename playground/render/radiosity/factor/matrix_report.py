@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from playground.percent import percent
 from playground.shading.floats import Array
 
 STRETCHED = 0.05  # a row that lacks more misses patches it should see: that is no rounding
@@ -40,7 +41,7 @@ class MatrixReport:
             lines += [
                 f"row sums {self.lowest:.6f} to {self.highest:.6f}, mean {self.mean:.6f}",
                 f"reciprocity |A_i F_ij - A_j F_ji|: at most {self.reciprocity:.2e} of the largest"
-                f" A_i F_ij, {self.reciprocity_share:.2%} in all ({self.paired} rows)",
+                f" A_i F_ij, {percent(self.reciprocity_share, '.2f')} in all ({self.paired} rows)",
             ]
         lines.append(f"correction: {self.correction}")
         if self.stretched:
