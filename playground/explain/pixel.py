@@ -152,7 +152,7 @@ def explain(
     weights = frame.weights[y, x]
     front = bool(frame.front[y, x]) != surface.mirrored
     positions, normals, mix = evaluated_at(surface, view, settings, triangle, weights)
-    texel = _texel(surface, triangle, weights)
+    texel = texel_at(surface, triangle, weights)
     corners = tuple(
         _shaded_point(setup, number, surface, view, position, seen, texel)
         for position, normal in zip(positions, normals, strict=True)
@@ -188,7 +188,8 @@ def evaluated_at(
     """Where the shading mode evaluates the model for a point of a triangle, of ``weights`` (3,).
 
     Eye-relative positions (K, 3), unit normals (K, 3) and the weights (K,) that mix the results:
-    three vertices, or one point.
+    three vertices, or one point. Per-fragment shading takes many points at once: weights (M, 3)
+    make K one place of (M, 3).
     """
     mesh = surface.mesh
     corners = mesh.faces[triangle]
@@ -206,7 +207,8 @@ def evaluated_at(
     return eye_positions(surface, view, positions), eye_normals(surface, normals), mix
 
 
-def _texel(surface: Surface, triangle: int, weights: Array) -> Array:
+def texel_at(surface: Surface, triangle: int, weights: Array) -> Array:
+    """What the texture multiplies the diffuse term by, at weights (..., 3) of a triangle."""
     mesh = surface.mesh
     if surface.texels is None or mesh.texcoords is None:
         return np.ones(3)

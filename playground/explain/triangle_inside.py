@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
-from playground.explain.pixel import Explanation, evaluated_at
-from playground.render.numpy_renderer import eye_normals, eye_positions
+from playground.explain.pixel import Explanation, evaluated_at, texel_at
 from playground.render.shade import shade
 from playground.render.surface import Surface, surfaces
 from playground.render.view import View, view_of
-from playground.shading.texture import bilinear
-from playground.shading.vector import Array, turned_to_eye, unit
+from playground.scene.settings import Shading
+from playground.shading.vector import Array, turned_to_eye
 
 
 def mixed_inside(why: Explanation, mix: Array) -> Array:
@@ -29,7 +30,7 @@ def mixed_inside(why: Explanation, mix: Array) -> Array:
     positions, normals, _ = evaluated_at(surface, view, settings, triangle, why.weights)
     diffuse, rest = _shaded(why, surface, view, positions, normals)
     share = mix if len(positions) == 3 else np.ones((*mix.shape[:-1], 1))
-    return np.asarray(share @ diffuse * _texels(surface, triangle, mix) + share @ rest)
+    return np.asarray(share @ diffuse * texel_at(surface, triangle, mix) + share @ rest)
 
 
 def shaded_inside(why: Explanation, mix: Array) -> Array:
@@ -41,11 +42,10 @@ def shaded_inside(why: Explanation, mix: Array) -> Array:
         The pixel sees no object.
     """
     surface, view, triangle = _seen(why)
-    corners = surface.mesh.faces[triangle]
-    position = eye_positions(surface, view, mix @ surface.mesh.positions[corners])
-    normal = unit(mix @ eye_normals(surface, surface.mesh.normals[corners]))
-    diffuse, rest = _shaded(why, surface, view, position, normal)
-    return np.asarray(diffuse * _texels(surface, triangle, mix) + rest)
+    everywhere = replace(why.setup.settings, shading=Shading.PER_FRAGMENT)
+    position, normal, _ = evaluated_at(surface, view, everywhere, triangle, mix)
+    diffuse, rest = _shaded(why, surface, view, position[0], normal[0])
+    return np.asarray(diffuse * texel_at(surface, triangle, mix) + rest)
 
 
 def _seen(why: Explanation) -> tuple[Surface, View, int]:
@@ -62,10 +62,3 @@ def _shaded(
     if not why.front:
         normal = turned_to_eye(normal, -position)
     return shade(surface, view, why.setup.settings, position, normal)
-
-
-def _texels(surface: Surface, triangle: int, mix: Array) -> Array:
-    mesh = surface.mesh
-    if surface.texels is None or mesh.texcoords is None:
-        return np.ones(3)
-    return bilinear(surface.texels, mix @ mesh.texcoords[mesh.faces[triangle]])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass, field, fields
 
 import numpy as np
@@ -34,10 +33,6 @@ class Comparison:
         """The five numbers; an infinite PSNR (equal pictures) is None, as JSON knows none."""
         numbers = {f.name: getattr(self, f.name) for f in fields(self) if f.name != "difference"}
         return {name: value if np.isfinite(value) else None for name, value in numbers.items()}
-
-    def to_json(self) -> str:
-        """The five numbers as one JSON document."""
-        return json.dumps(self.to_dict())
 
     def heatmap(self, largest: float | None = None) -> Image:
         """The difference in false colours, yellow at ``largest`` (default: the maximum)."""

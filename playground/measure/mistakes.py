@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from playground.measure import metrics
 from playground.percent import percent
 from playground.render.image import Image
 from playground.render.renderer import Renderer, open_renderer
@@ -169,4 +170,4 @@ def _drawn(opened: Renderer, setup: Setup) -> Codes:
 
 
 def _rmse(a: Codes, b: Codes) -> float:
-    return float(np.sqrt(np.mean(np.square(np.subtract(a, b, dtype=np.float64))))) / 255.0
+    return metrics.rmse(a, b) / 255.0

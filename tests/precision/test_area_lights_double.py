@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from test_gpu import SHADINGS, SIZE, both
+from test_gpu import SHADINGS, SIZE, assert_exact
 
 import playground as pg
 from playground.render.gl import probe
@@ -81,19 +81,12 @@ def test_better_than_float32(gl, rng):
 @pytest.mark.parametrize("highlight", ["phong", "blinn"])
 @pytest.mark.parametrize("shading", SHADINGS)
 def test_pictures(gl, shading, highlight):
-    """As without area lights, for the reasons of test_gpu's pictures in float64."""
+    """As without area lights."""
     for gate in (False, True):
         setup = pg.load("sphere").with_(
             shading=shading, highlight=highlight, gate=gate, lights=(ABOVE, BESIDE)
         )
-        ours, theirs = both(setup.with_(precision="float64"))
-        error = np.abs(ours - theirs)
-        if shading == "flat":
-            assert (error <= 2.0**-23 * theirs).all()
-            assert (error == 0).mean() >= 0.999
-            assert (np.abs(both(setup)[0] - theirs) > 0).mean() > 0.1  # float32 is less exact
-        assert error.max() <= 2e-4 * max(1.0, theirs.max())
-        assert np.median(error) <= 1e-6
+        assert_exact(setup)
 
 
 def test_a_still_scene_turned_into_constants(gl):

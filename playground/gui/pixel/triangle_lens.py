@@ -91,7 +91,7 @@ def _filled(left: float, top: float, side: float, inks: Inks) -> tuple[Point, Po
 @lru_cache(maxsize=4)
 def mixed_inks(why: Explanation) -> Inks:
     """The colours of the small triangles, each mixed at its middle, as ImGui packs them."""
-    return tuple(ink(code) for code in shown_codes(why, mixed_inside(why, middles())).tolist())
+    return tuple(ink(code) for code in shown_codes(why, _mixed(why)).tolist())
 
 
 @lru_cache(maxsize=4)
@@ -115,8 +115,13 @@ def largest(why: Explanation) -> float:
 
 @lru_cache(maxsize=4)
 def _difference(why: Explanation) -> Array:
-    apart = np.abs(mixed_inside(why, middles()) - _shaded(why))
+    apart = np.abs(_mixed(why) - _shaded(why))
     return np.asarray(apart.max(axis=-1))
+
+
+@lru_cache(maxsize=4)
+def _mixed(why: Explanation) -> Array:
+    return mixed_inside(why, middles())
 
 
 @lru_cache(maxsize=4)
