@@ -5,7 +5,6 @@ Times come from `cost`, a function of the setup: no test depends on a clock.
 
 import json
 from dataclasses import replace
-from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
@@ -16,14 +15,12 @@ from playground.measure import metrics
 from playground.measure.advice import error_of
 from playground.measure.advisor import advise, advising
 from playground.measure.candidates import KINDS, ONLY, candidates_of, without
-from playground.measure.paired import DOUBT, FEWEST, PAIRS, Stopwatch, paired, saving_of
+from playground.measure.paired import Stopwatch
 from playground.render.renderer import render
 from playground.scene.library import load
 from playground.scene.light import DirectionalLight, PointLight
-from playground.scene.material import Material
 from playground.scene.scene import Object, Scene
 from playground.scene.setup import Setup
-from playground.steps import finished
 
 SIZE = (64, 48)
 BLACK = (0.0, 0.0, 0.0)
@@ -246,57 +243,6 @@ def test_a_metric_is_one_of_three():
         advice(ball(KEY), 0.01, "ssim")
 
 
-def test_a_saving_within_the_noise_is_none():
-    noise = [0.5, -0.4, 0.3, -0.6, 0.2, 0.7, -0.1, -0.3]
-    assert saving_of([(10 + n, 10.0) for n in noise]).saved == 0.0
-    clear = saving_of([(12 + n, 10.0) for n in noise])
-    assert clear.saved == pytest.approx(2.05)
-    assert (clear.low, clear.high) == pytest.approx((1.4, 2.7))  # of 8 the outermost two
-    assert saving_of([(12 + n, 10.0) for n in noise], floor=3.0).saved == 0.0
-    assert saving_of([(8 + n, 10.0) for n in noise]).saved < 0.0
-
-
-def test_the_interval_misses_the_median_as_seldom_as_it_says():
-    """For the numbers 1 to n in all 2^n ways above and below the median, counted exactly."""
-    ways = [1]  # in how many ways 0, 1 … of n numbers lie above the median: a row of Pascal's
-    for pairs in range(1, PAIRS + 1):
-        ways = [a + b for a, b in zip([0, *ways], [*ways, 0], strict=True)]
-        if pairs < FEWEST:
-            continue
-        found = saving_of([(float(i), 0.0) for i in range(pairs)])
-        k = int(found.low) + 1
-        assert found.high == pairs - k
-        missed = [Fraction(sum(ways[:j] + ways[pairs - j + 1 :]), 2**pairs) for j in (k, k + 1)]
-        assert missed[0] <= DOUBT < missed[1]
-
-
-def test_pairs_are_interleaved_and_take_turns():
-    full, other, calls = ball(KEY), ball(), []
-
-    def noted(setup):
-        calls.append("AB"[setup is other])
-        return 1.0
-
-    list(paired(noted, full, other, warm=1))
-    assert "".join(calls[:10]) == "AB" + "ABBAABBA"
-    assert len(calls) == 2 * (1 + PAIRS)
-
-    calls.clear()
-    list(paired(lambda setup: noted(setup) * 1000.0, full, other))
-    assert len(calls) == 2 * FEWEST
-
-
-def test_a_neighbour_who_often_wakes_up_does_not_hide_a_saving(rng):
-    """Every fourth picture takes ten times as long: with 12 pairs that would hide it."""
-    full = ball(KEY)
-
-    def disturbed(setup):
-        return (0.2 if setup is full else 0.1) * (10.0 if rng.random() < 0.25 else 1.0)
-
-    assert finished(paired(disturbed, full, ball()), None).saved == pytest.approx(0.1)
-    assert saving_of([(2.0, 10.0), (2.0, 1.0), (20.0, 1.0), (2.0, 1.0)] * 3).saved == 0.0
-
-
 def test_what_saves_nothing_when_measured_again_is_not_proposed():
     setup, dark = ball(KEY, DARK), ball(KEY)
 
@@ -320,44 +266,6 @@ def test_what_saves_nothing_when_measured_again_is_not_proposed():
     assert found.to_dict()["proposal"]["drop"] == []
 
 
-def test_a_setup_against_itself_is_the_noise_floor():
-    """A machine on which whoever is new is faster: nothing must seem to be saved."""
-    setup = ball(KEY)
-    found = advice(setup, 1.0, cost=lambda drawn: 5.0 if drawn is setup else 4.0)
-    assert all(finding.saving.median == 1.0 for finding in found.findings)
-    assert all(finding.saving.saved == 0.0 for finding in found.findings)
-    assert not found.chosen
-
-
-def test_the_stopwatch_counts_the_milliseconds_of_a_clock():
-    ticks = iter([1.0, 1.5, 2.0, 2.25, 3.0, 3.0])
-    watch = Stopwatch((4, 4), "numpy", clock=lambda: next(ticks))
-    a, b, c = ball(KEY), ball(), ball(DARK)
-    assert [watch(a), watch(b), watch(c)] == [500.0, 250.0, 0.0]
-    assert [setup for setup, _ in watch._open] == [b, c]
-    watch.close()
-    assert watch._open == []
-
-
-@pytest.mark.gl
-def test_what_a_window_has_still_to_draw_is_not_timed(gl_context):
-    order = []
-
-    class Window:
-        """The context, noting when it is waited for."""
-
-        def __getattr__(self, name):
-            return getattr(gl_context, name)
-
-        def finish(self):
-            order.append("finish")
-
-    watch = Stopwatch((4, 4), "gl", Window(), clock=lambda: order.append("clock") or 0.0)
-    watch(ball(KEY))
-    watch.close()
-    assert order == ["finish", "clock", "clock"]
-
-
 @pytest.mark.gl
 def test_the_gpu_finds_what_numpy_finds(gl_context):
     setup = ball(KEY, DARK, BEHIND)
@@ -367,57 +275,3 @@ def test_the_gpu_finds_what_numpy_finds(gl_context):
     for mine, theirs in zip(drawn.findings, exact.findings, strict=True):
         # One pixel of the silhouette on the other side changes the RMSE by this at most
         assert abs(mine.errors.rmse - theirs.errors.rmse) <= 1.0 / np.sqrt(SIZE[0] * SIZE[1])
-
-
-def test_a_mesh_made_in_python_keeps_its_triangles():
-    mesh = Object("sphere").geometry().mesh
-    item = Object(arrays=mesh, material=Material())
-    setup = Setup(Scene(objects=(item,), lights=(KEY,)))
-    assert {c.kind for c in candidates_of(setup)} == {"light", "term", "shading"}
-
-
-def test_rays_see_the_triangles_of_shapes_without_a_formula() -> None:
-    torus = "tessellation of object 1 (torus): 64 → 32"
-    setup = load("glass-ring")
-    traced = {c.name: c for c in candidates_of(setup, "ray-tracing")}
-    assert {name for name in traced if "→ 32" in name} == {torus}
-    less = without(setup, [traced[torus]])
-    full, coarse = (render(s, SIZE, "numpy", method="ray-tracing") for s in (setup, less))
-    assert error_of("rmse", full, coarse) > 0.0
-
-    def tessellated(**changes) -> bool:
-        setup = ball(KEY, **changes)
-        return any(c.kind == "tessellation" for c in candidates_of(setup, "ray-tracing"))
-
-    assert not tessellated()
-    assert tessellated(surfaces="triangles") and tessellated(normals="flat")
-
-
-def test_ray_tracing_may_drop_bounces_but_no_triangles() -> None:
-    setup = load("whitted-room").with_(depth=2)
-    traced = {c.name for c in candidates_of(setup, "ray-tracing")}
-    assert {"bounces: 2 → 1", "bounces: 2 → 0"} <= traced
-    assert not any(name.startswith(("shading", "tessellation")) for name in traced)
-    assert not any(name.startswith("bounces") for name in (c.name for c in candidates_of(setup)))
-
-    # Without the second bounce something of a mirrored mirror is missing; the advisor sees it.
-    advised = advise(
-        setup,
-        size=SIZE,
-        renderer="numpy",
-        cost=lambda s: 1.0 + s.settings.depth,
-        method="ray-tracing",
-    )
-    found = {f.candidate.name: f for f in advised.findings}
-    assert 0.0 < found["bounces: 2 → 1"].errors.rmse < found["bounces: 2 → 0"].errors.rmse
-    assert found["bounces: 2 → 0"].saving.saved == 2.0
-
-
-def test_without_mirrors_there_is_no_bounce_to_drop() -> None:
-    kinds = {c.kind for c in candidates_of(ball(KEY), "ray-tracing")}
-    assert "bounce" not in kinds and "shadow rays" not in kinds
-
-
-def test_shadow_rays_are_halved_for_area_lights_only() -> None:
-    names = [c.name for c in candidates_of(load("area-light"), "ray-tracing")]
-    assert "shadow rays to each area light: 16 → 1" in names
